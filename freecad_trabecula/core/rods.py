@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rods: sections that turn and change along paths, all rods at once; their triangles and their faults (design.md section 3).
+
+Rotation, interpolation and skinning are plain array work: 147 rods take a few hundredths of a second, so that a preview can
+follow a dragged value.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Dict, Tuple
+
+import numpy as np
+
+from .paths import Stations, stations
+from .pores import Pores, bezier_areas, bezier_poles, loops, outlines, turned
+
+FLAT = 0.3  # least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat (design.md 3)
+_TIE = 1e-9  # frames exactly half-way between two turns must round the same way on every machine
+
+
+@dataclass(frozen=True)
+class RodEnds:
+    """The two ends of R rods, in the direction of travel.
+
+    Attributes
+    ----------
+    frames : ndarray (R, 2, 3, 3)
+        Rows u, v, n of the section planes at both ends; n points along the rod, v = n x u.
+    first, second : Pores
+        End sections in those axes.
+    rolls : bool
+        True if the second section has a place of its own (two sections); False if the first is carried along (one section).
+    """
+
+    frames: np.ndarray
+    first: Pores
+    second: Pores
+    rolls: bool = True
+
+
+@dataclass(frozen=True)
+class Rods:
+    """R rods with K sections each.
+
+    Attributes
+    ----------
+    stations : Stations
+        Centres, tangents, curvatures (R, K, 3), mm.
+    frames : ndarray (R, K, 3, 3)
+        Rows u, v, n of the section planes.
+    poles : ndarray (R, K, M, 4, 2), mm
+        Bezier poles of the closed sections in those planes.
+    rings : ndarray (R, K, m, 3), mm
+        Polygons of the sections, each with its curve's exact area.
+    """
+
+    stations: Stations
+    frames: np.ndarray
+    poles: np.ndarray
+    rings: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+
+def _rotate(vectors: np.ndarray, axes: np.ndarray, angles: np.ndarray) -> np.ndarray:
+    """Rodrigues' formula: vectors (..., 3) about unit axes (..., 3) by angles (...)."""
+    c, s = np.cos(angles)[..., None], np.sin(angles)[..., None]
+    along = (axes * vectors).sum(-1, keepdims=True)
+    return vectors * c + np.cross(axes, vectors) * s + axes * along * (1 - c)
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True).clip(1e-300)
+
+
+def _smallest_rotation(a: np.ndarray, b: np.ndarray, spare: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Axes (R, 3) and angles (R,) of the smallest rotations from a to b; ``spare`` (R, 3) decides when they are opposite."""
+    axis, cosine = np.cross(a, b), (a * b).sum(-1).clip(-1, 1)
+    vanishing = np.linalg.norm(axis, axis=-1) < 1e-9
+    if vanishing.any():
+        least = np.eye(3)[np.abs(a[vanishing]).argmin(-1)]
+        other = np.cross(a[vanishing], spare[vanishing])
+        weak = np.linalg.norm(other, axis=-1, keepdims=True) < 1e-6
+        axis[vanishing] = np.where(weak, np.cross(a[vanishing], least), other)
+    return _unit(axis), np.arccos(cosine)
+
+
+def section_frames(ends: RodEnds, tangents: np.ndarray, shares: np.ndarray, lean: float) -> Tuple[np.ndarray, np.ndarray]:
+    """Return the planes of all sections, and the turns of the second section that they absorb.
+
+    The planes turn from end to end by slerp. Of the roll that is left, whole M-ths of a turn (the symmetry of the corners) are
+    taken off by renumbering the second section's corners; the rest is spread evenly.
+
+    Parameters
+    ----------
+    ends : RodEnds
+    tangents : ndarray (R, K, 3)
+    shares : ndarray (K,)
+    lean : float
+        0..1: tilt of the inner planes towards the path's normal planes, full half-way, none at the ends.
+
+    Returns
+    -------
+    frames : ndarray (R, K, 3, 3)
+    turns : ndarray (R,) of int
+    """
+    count, k = tangents.shape[:2]
+    first, second = ends.frames[:, 0], ends.frames[:, 1]
+    axis, angle = _smallest_rotation(first[:, 2], second[:, 2], tangents[:, k // 2])
+    angles, axes = angle[:, None] * shares, np.repeat(axis[:, None], k, 1)
+    u, n = (_rotate(np.repeat(first[:, None, i], k, 1), axes, angles) for i in (0, 2))
+    turns = np.zeros(count, int)
+    if ends.rolls:
+        last, goal = u[:, -1], second[:, 0]
+        roll = np.arctan2((goal * np.cross(second[:, 2], last)).sum(-1), (goal * last).sum(-1))
+        step = 2 * math.pi / ends.first.corners.shape[1]
+        turns = np.floor(roll / step + 0.5 - _TIE).astype(int)
+        u = _rotate(u, n, (roll - turns * step)[:, None] * shares)
+    if lean:
+        across = np.cross(n, tangents)
+        sine = np.linalg.norm(across, axis=-1)
+        tilt = lean * 4 * shares * (1 - shares) * np.arctan2(sine, (n * tangents).sum(-1))
+        u, n = (_rotate(a, _unit(across), tilt) for a in (u, n))
+    return np.stack([u, np.cross(n, u), n], 2), turns
+
+
+def build_rods(paths: np.ndarray, ends: RodEnds, count: int, points: int, lean: float = 0.0) -> Rods:
+    """Return rods along ``paths`` (R, 2, 4, 3) with ``count`` sections of about ``points`` ring points each.
+
+    Sections change from end to end linearly in size, corners, tangent directions and tangent lengths.
+    """
+    on_path = stations(paths, count)
+    frames, turns = section_frames(ends, on_path.tangents, on_path.shares, lean)
+    second = turned(ends.second, turns) if ends.rolls else ends.first
+    share = on_path.shares
+
+    def between(name: str) -> np.ndarray:
+        a, b = getattr(ends.first, name), getattr(second, name)
+        w = share.reshape((1, -1) + (1,) * (a.ndim - 1))
+        return ((1 - w) * a[:, None] + w * b[:, None]).reshape((-1,) + a.shape[1:])
+
+    pores = Pores(*(between(name) for name in Pores.__dataclass_fields__))
+    poles = bezier_poles(pores)
+    flat = outlines(poles, points)
+    poles, flat = (a.reshape((len(paths), count) + a.shape[1:]) for a in (poles, flat))
+    rings = on_path.centres[:, :, None] + np.einsum("rkmc,rkcx->rkmx", flat, frames[:, :, :2])
+    return Rods(on_path, frames, poles, rings)
+
+
+def tessellation(mean_size: float, deflection: float, curved: bool) -> Tuple[int, int]:
+    """Return stations K and ring points m that keep triangles within ``deflection`` mm of the rods.
+
+    A ring of m chords about a radius r sags by r (1 - cos(pi / m)); r is 0.68 sizes, a spline section's mean radius
+    (area 1.46 size^2). A path of radius R sags by chord^2 / (8 R); R = 4 mm is the least usual radius (rods.md) for
+    10 mm of length.
+    """
+    radius = 0.68 * mean_size
+    m = math.pi / math.acos(max(1 - deflection / radius, 0.5))
+    k = 9 if not curved else math.ceil(10 / math.sqrt(8 * 4 * deflection)) + 1
+    return int(np.clip(k, 9, 65)), int(np.clip(4 * math.ceil(m / 4), 8, 64))
+
+
+def default_deflection(mean_size: float) -> float:
+    """Return the default deflection, mm: 1/50 of the mean pore size (0.01 mm for 0.2 to 0.8 mm pores)."""
+    return mean_size / 50
+
+
+def rod_mesh(rods: Rods, beyond: float = 0.0) -> Tuple[np.ndarray, np.ndarray]:
+    """Return closed triangle meshes of all rods: vertices (R, V, 3), mm, and triangles (T, 3) of each (the same for all).
+
+    ``beyond`` > 0 prolongs each rod by that distance, measured across its end planes, so that caps never lie in faces.
+    """
+    rings, centres = rods.rings, rods.stations.centres
+    ends = [centres[:, 0], centres[:, -1]]
+    if beyond:
+        shifts = [_prolongation(rods, 0, -beyond), _prolongation(rods, -1, beyond)]
+        rings = np.concatenate([rings[:, :1] + shifts[0][:, None, None], rings, rings[:, -1:] + shifts[1][:, None, None]], 1)
+        ends = [c + s for c, s in zip(ends, shifts)]
+    count, k, m = rings.shape[:3]
+    vertices = np.concatenate([rings.reshape(count, k * m, 3), ends[0][:, None], ends[1][:, None]], 1)
+    return vertices, _grid_triangles(k, m)
+
+
+def _prolongation(rods: Rods, end: int, distance: float) -> np.ndarray:
+    tangent, normal = rods.stations.tangents[:, end], rods.frames[:, end, 2]
+    slope = (tangent * normal).sum(-1, keepdims=True).clip(FLAT, 1)
+    return distance / slope * tangent
+
+
+def _grid_triangles(k: int, m: int) -> np.ndarray:
+    """Triangles (T, 3) of a tube of k rings of m points and two caps with a centre each, outward."""
+    i = np.arange(k * m).reshape(k, m)
+    j = np.roll(i, -1, 1)
+    a, b, c, d = i[:-1].ravel(), j[:-1].ravel(), j[1:].ravel(), i[1:].ravel()
+    near = np.stack([np.full(m, k * m), j[0], i[0]], 1)
+    far = np.stack([np.full(m, k * m + 1), i[-1], j[-1]], 1)
+    return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1), near, far])
+
+
+def rod_volumes(rods: Rods) -> np.ndarray:
+    """Return the volumes of the rods' meshes, ndarray (R,), mm3 (divergence theorem)."""
+    vertices, triangles = rod_mesh(rods)
+    local = vertices - rods.stations.centres[:, :1]
+    a, b, c = (local[:, triangles[:, i]] for i in range(3))
+    return np.einsum("rti,rti->r", a, np.cross(b, c)) / 6
+
+
+def rod_triangles(rods: Rods, beyond: float = 0.0) -> np.ndarray:
+    """Return the triangles of all rods, ndarray (R * T, 3, 3), mm."""
+    vertices, triangles = rod_mesh(rods, beyond)
+    return vertices[:, triangles].reshape(-1, 3, 3)
+
+
+def rod_faults(rods: Rods) -> Dict[str, np.ndarray]:
+    """Return, for each kind of fault, which rods have it: dict of ndarray (R,) bool. No Boolean, no kernel.
+
+    ``loop``: a section crosses itself. ``flat``: the path leaves a section plane at more than 72 degrees from its normal.
+    ``crossing``: neighbouring section planes cross inside the rod, so that its surface folds.
+    """
+    normals, rings, centres = rods.frames[:, :, 2], rods.rings, rods.stations.centres
+    ahead = np.einsum("rkmx,rkx->rkm", rings[:, 1:] - centres[:, :-1, None], normals[:, :-1])
+    behind = np.einsum("rkmx,rkx->rkm", rings[:, :-1] - centres[:, 1:, None], normals[:, 1:])
+    slope = np.einsum("rkx,rkx->rk", rods.stations.tangents, normals)
+    flat = np.einsum("rkmx,rkcx->rkmc", rings - centres[:, :, None], rods.frames[:, :, :2])
+    return {
+        "loop": loops(flat).any(-1),
+        "flat": slope.min(1, initial=1.0) < FLAT,
+        "crossing": (ahead <= 0).any((1, 2)) | (behind >= 0).any((1, 2)),
+    }
+
+
+def narrowest_areas(rods: Rods) -> np.ndarray:
+    """Return each rod's least cross-section normal to its path, ndarray (R,), mm2: least section area times its slope."""
+    slope = np.einsum("rkx,rkx->rk", rods.stations.tangents, rods.frames[:, :, 2])
+    return (bezier_areas(rods.poles) * slope).min(1)
