@@ -1,0 +1,71 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# Installs what Trabecula needs on Debian, if it is missing, and says what it installs:
+#   by apt (as root, or with sudo): FreeCAD, a display without a screen (Xvfb), numpy, scipy, pytest, pip;
+#   by pip, into FreeCAD's own folder for additional packages: manifold3d, the library of mesh Booleans.
+# Does nothing, within a second or two, when nothing is missing.
+set -eu
+
+here=$(cd "$(dirname "$0")" && pwd -P)
+packages="freecad xvfb xauth libgl1-mesa-dri libxkbcommon-x11-0 python3-numpy python3-scipy python3-pytest python3-pip"
+# Debian's own Python: the one that apt's numpy and FreeCAD belong to, whatever else is first on PATH.
+python=/usr/bin/python3
+manifold=manifold3d==3.5.4
+
+say() { printf '%s\n' "setup: $*"; }
+die() { printf '%s\n' "setup: $*" >&2; exit 1; }
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        die "needs root, or sudo, to install:$missing"
+    fi
+}
+
+missing=
+if command -v dpkg-query >/dev/null; then
+    for package in $packages; do
+        case $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true) in
+            *" installed") ;;
+            *) missing="$missing $package" ;;
+        esac
+    done
+else
+    for command in freecadcmd freecad xvfb-run; do
+        command -v "$command" >/dev/null || die "$command is not on PATH, and this is no Debian: please install it"
+    done
+fi
+if [ -n "$missing" ]; then
+    say "installing by apt:$missing"
+    as_root apt-get update -q </dev/null
+    # shellcheck disable=SC2086  # the packages are words
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+        -o DPkg::Lock::Timeout=300 $missing </dev/null
+fi
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+trap 'exit 130' INT TERM HUP
+TRABECULA_FACTS=$folder/facts.json freecadcmd "$here/freecad_facts.py" >"$folder/log" 2>&1 </dev/null || {
+    cat "$folder/log" >&2
+    die "freecadcmd does not run"
+}
+fact() {
+    "$python" -c 'import json, sys
+facts = json.load(open(sys.argv[1]))
+print(facts[sys.argv[2]] if sys.argv[2] in facts else facts["modules"][sys.argv[2]] or "none")' \
+        "$folder/facts.json" "$1"
+}
+if [ "$(fact manifold3d)" = none ]; then
+    target=$(fact packages)
+    say "installing by pip into $target: $manifold"
+    mkdir -p "$target"
+    # Without its dependency (numpy): a second, newer numpy beside apt's would not go with apt's scipy.
+    "$python" -m pip install --quiet --disable-pip-version-check --no-input --no-deps --only-binary :all: \
+        --root-user-action ignore --target "$target" "$manifold" </dev/null
+fi
+say "FreeCAD $(fact freecad), Python $(fact python), numpy $(fact numpy), scipy $(fact scipy) and manifold3d are here"
