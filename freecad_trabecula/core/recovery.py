@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recovery of faulty rods (thesis 3.3.5, 4.2.4): what is tried, in which order, counted for every rod.
+
+The thesis first redraws tangents. Measured, that never mends a flat rod, nor one whose section planes cross (rods.md: 0 of 79), so
+what is tried first follows from the fault: tangents for a section that crosses itself, the middle point where it is random for
+the others, and in the end the two-point path along the inner normals with tension 0.1, 0.2, ... mm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Dict, List, Optional, Tuple
+
+import numpy as np
+
+from .laws import Region
+from .parameters import PathParameters
+from .paths import tension_paths
+from .pores import Pores, draw_pores, mirrored
+from .rods import RodEnds, Rods, build_rods, rod_faults
+from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, draw_paths, without
+
+FAULTS = ("loop", "flat", "crossing", "outside")
+REMEDIES: Dict[str, Tuple[str, ...]] = {
+    "loop": ("tangents", "middle", "tension"),
+    "flat": ("middle", "tension"),
+    "crossing": ("middle", "tangents", "tension"),
+    "outside": ("middle", "tension"),
+}
+TENSION_STEP = 0.1  # mm, thesis 4.2.4
+_STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is (rods.md)
+_CLEAR = 1.0  # sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by its nature
+
+
+def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]) -> Wireframe:
+    """Return the wireframe with its faulty rods mended, the recoveries listed, the hopeless left out and named.
+
+    Parameters
+    ----------
+    raw : Wireframe
+    parameters : WireframeParameters
+    region : Region
+    contains : callable or None
+        ``contains(points (P, 3)) -> (P,) bool`` of the envelope.
+    """
+    faults = find_faults(raw, parameters, contains)
+    bad = np.nonzero(faults > 0)[0]
+    if not len(bad):
+        return raw
+    work = _Work(raw, parameters, region, contains)
+    recoveries = []
+    for name in FAULTS:
+        group = bad[faults[bad] == 1 + FAULTS.index(name)]
+        if len(group):
+            recoveries += work.mend_group(group, name)
+    still = find_faults(work.wireframe, parameters, contains)
+    out = np.nonzero(still == 1 + FAULTS.index("outside"))[0]
+    hopeless = (still > 0) & (still != 1 + FAULTS.index("outside"))
+    names = np.array(raw.names, dtype=object)
+    result = without(work.wireframe, ~hopeless)
+    return replace(
+        result, recoveries=tuple(recoveries), failed=tuple(names[hopeless]), outside=tuple(names[out])
+    )
+
+
+def find_faults(wireframe: Wireframe, parameters: WireframeParameters, contains: Optional[Contains]) -> np.ndarray:
+    """Return the first fault of each rod, ndarray (R,) int: 0 none, else 1 + its place in ``FAULTS``."""
+    rods = build_rods(wireframe.paths, wireframe.ends, _STATIONS, _POINTS, parameters.rods.lean)
+    found = np.zeros(len(wireframe), int)
+    kinds = rod_faults(rods)
+    if contains is not None:
+        kinds["outside"] = outside_counts(rods, wireframe, contains) > 0
+    for k in reversed(range(len(FAULTS))):
+        if FAULTS[k] in kinds:
+            found[kinds[FAULTS[k]]] = k + 1
+    return found
+
+
+def outside_counts(rods: Rods, wireframe: Wireframe, contains: Contains) -> np.ndarray:
+    """Return how many ring points of each rod's inner part lie outside the envelope, ndarray (R,) int."""
+    if not len(rods):
+        return np.zeros(0, int)
+    size = np.maximum(wireframe.ends.first.size, wireframe.ends.second.size)
+    along = rods.stations.lengths[:, None] * rods.stations.shares
+    inner = (along > _CLEAR * size[:, None]) & (along < (rods.stations.lengths - _CLEAR * size)[:, None])
+    points = rods.rings[inner]
+    counts = np.zeros(inner.shape, int)
+    counts[inner] = (~contains(points.reshape(-1, 3))).reshape(points.shape[:2]).sum(1)
+    return counts.sum(1)
+
+
+class _Work:
+    """The wireframe under repair."""
+
+    def __init__(self, raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]) -> None:
+        self.wireframe, self.parameters, self.region, self.contains = raw, parameters, region, contains
+        couplings = parameters.couplings
+        self.paths_of = [couplings[k].path or parameters.path for k in raw.coupling.tolist()]
+
+    def mend_group(self, group: np.ndarray, fault: str) -> List[Recovery]:
+        """Try the remedies for one fault on rods ``group`` (indices), all at once; return one Recovery a rod."""
+        attempts, remedy = dict.fromkeys(group.tolist(), 0), dict.fromkeys(group.tolist(), "none")
+        best = {k: self._badness(np.array([k]))[0] for k in group.tolist()}
+        for name in REMEDIES[fault]:
+            for step in range(1, self._steps(name) + 1):
+                left = np.array([k for k in group.tolist() if remedy[k] == "none" and self._applies(name, k, step)], int)
+                if not len(left):
+                    break
+                trial = self._apply(name, left, step)
+                badness = self._badness(left, trial)
+                for at, k in enumerate(left.tolist()):
+                    attempts[k] += 1
+                    if badness[at] < best[k]:
+                        best[k] = badness[at]
+                        self._keep(trial, at, k)
+                        if badness[at] == 0:
+                            remedy[k] = name
+        names = self.wireframe.names
+        return [Recovery(names[k], fault, remedy[k], attempts[k]) for k in group.tolist()]
+
+    def _steps(self, remedy: str) -> int:
+        if remedy != "tension":
+            return self.parameters.rods.redraws
+        chord = np.linalg.norm(self.wireframe.paths[:, 1, 3] - self.wireframe.paths[:, 0, 0], axis=1)
+        return int(np.ceil(chord.max() / TENSION_STEP))
+
+    def _applies(self, remedy: str, rod: int, step: int) -> bool:
+        path = self.paths_of[rod]
+        if remedy == "middle":
+            return path.kind == "box" or (path.kind == "centre" and len(path.points) > 1)
+        if remedy == "tangents":
+            return self.parameters.pores.layout == "spline"
+        # a tension beyond the chord makes loops
+        chord = np.linalg.norm(self.wireframe.paths[rod, 1, 3] - self.wireframe.paths[rod, 0, 0])
+        return path.kind not in ("orthogonal", "straight") and step * TENSION_STEP <= chord
+
+    def _badness(self, which: np.ndarray, trial: Optional[Wireframe] = None) -> np.ndarray:
+        """Return 0 for a sound rod; else the points outside, or a large number for a fault of the rod itself."""
+        trial = trial or without(self.wireframe, which)
+        rods = build_rods(trial.paths, trial.ends, _STATIONS, _POINTS, self.parameters.rods.lean)
+        faulty = np.any(list(rod_faults(rods).values()), 0)
+        counts = outside_counts(rods, trial, self.contains) if self.contains is not None else np.zeros(len(trial), int)
+        return np.where(faulty, 10**9, counts)
+
+    def _apply(self, remedy: str, which: np.ndarray, step: int) -> Wireframe:
+        part = without(self.wireframe, which)
+        ends = part.ends
+        p0, p1 = part.paths[:, 0, 0], part.paths[:, 1, 3]
+        if remedy == "tension":
+            tension = np.full(len(which), step * TENSION_STEP)
+            paths = tension_paths(p0, ends.frames[:, 0, 2], p1, ends.frames[:, 1, 2], tension, tension)
+            return replace(part, paths=paths)
+        if remedy == "middle":
+            paths = part.paths.copy()
+            for at, k in enumerate(which.tolist()):
+                frames = ends.frames[at : at + 1]
+                paths[at] = draw_paths(
+                    self.paths_of[k], [part.names[at]], p0[at : at + 1], frames[:, 0, 2], p1[at : at + 1],
+                    frames[:, 1, 2], self.region, self.parameters.seed, step,
+                )[0]  # fmt: skip
+            return replace(part, paths=paths)
+        return replace(part, ends=self._redrawn_ends(part, step))
+
+    def _redrawn_ends(self, part: Wireframe, step: int) -> RodEnds:
+        """New tangents for both end sections (sizes stay)."""
+        first, second = [], []
+        for at in range(len(part)):
+            coupling = self.parameters.couplings[part.coupling[at]]
+            for end, (face, column) in enumerate(((coupling.first, first), (coupling.second, second))):
+                sites = part.sites[face]
+                one = int(part.site_numbers[at, end])
+                column.append(self._redraw(sites, one, step))
+        ends = part.ends
+        return replace(
+            ends,
+            first=_with_shape(ends.first, [mirrored(p) for p in first]),
+            second=_with_shape(ends.second, second),
+        )
+
+    def _redraw(self, sites: object, number: int, step: int) -> Pores:
+        one = replace(
+            sites, **{n: getattr(sites, n)[number : number + 1] for n in ("index", "points", "u", "normals", "on")}
+        )
+        return draw_pores(self.parameters.pores, self.parameters.seed, one, self.region, step)
+
+    def _keep(self, trial: Wireframe, at: int, rod: int) -> None:
+        whole = self.wireframe
+        paths = whole.paths.copy()
+        paths[rod] = trial.paths[at]
+        ends = whole.ends
+        columns = {}
+        for name in ("first", "second"):
+            old, new = getattr(ends, name), getattr(trial.ends, name)
+            arrays = {n: getattr(old, n).copy() for n in Pores.__dataclass_fields__}
+            for n, array in arrays.items():
+                array[rod] = getattr(new, n)[at]
+            columns[name] = Pores(**arrays)
+        self.wireframe = replace(whole, paths=paths, ends=replace(ends, **columns))
+
+
+
+
+def _with_shape(old: Pores, new: List[Pores]) -> Pores:
+    """Return pores of the old sizes with the new shapes."""
+    return Pores(old.size, *(np.concatenate([getattr(p, n) for p in new]) for n in ("corners", "angles", "lengths")))
