@@ -134,8 +134,8 @@ def _refuse_constant(name: str) -> None:
 
 
 def job_to_json(job: Job) -> str:
-    """Return the job as JSON text; what has its default value is left out."""
-    return json.dumps({"schema": SCHEMA, **to_record(job)}, indent=2) + "\n"
+    """Return the job as JSON text with every field, so that a saved job shows what can be changed."""
+    return json.dumps(to_record(job, everything=True), indent=2) + "\n"
 
 
 def set_values(job: Job, settings: Sequence[str]) -> Job:

@@ -12,17 +12,17 @@ from ..errors import ParameterError
 T = TypeVar("T")
 
 
-def to_record(value: Any) -> Any:
-    """Return dicts, lists, strings, numbers for a dataclass; fields that have their default value are left out."""
+def to_record(value: Any, everything: bool = False) -> Any:
+    """Return dicts, lists, strings, numbers for a dataclass; fields with their default value are left out unless ``everything``."""
     if dataclasses.is_dataclass(value):
         record = {}
         for f in dataclasses.fields(value):
             own = getattr(value, f.name)
-            if f.default is dataclasses.MISSING or own != f.default:
-                record[f.name] = to_record(own)
+            if everything or f.default is dataclasses.MISSING or own != f.default:
+                record[f.name] = to_record(own, everything)
         return record
     if isinstance(value, tuple):
-        return [to_record(v) for v in value]
+        return [to_record(v, everything) for v in value]
     return value
 
 
