@@ -45,7 +45,9 @@ def make_wireframe(
     pairs, rows = couple(parameters.couplings, sites, parameters.seed)
     progress(1, 3, "pores and paths")
     drawn = {
-        face: edit_pores(parameters.pores, draw_pores(parameters.pores, parameters.seed, s, region), s.names, parameters.edits)
+        face: edit_pores(
+            parameters.pores, draw_pores(parameters.pores, parameters.seed, s, region), s.names, parameters.edits
+        )
         for face, s in sites.items()
     }
     raw = _assemble(parameters, sites, drawn, pairs, tuple(rows), region)
@@ -74,7 +76,14 @@ def _assemble(
         first, second = mirrored(drawn[coupling.first].take(pair.first)), drawn[coupling.second].take(pair.second)
         goal = _feet(a, pair.first, b, pair.second) if orthogonal else b.points[pair.second]
         paths = draw_paths(
-            coupling.path or parameters.path, own, a.points[pair.first], frames[:, 0, 2], goal, frames[:, 1, 2], region, parameters.seed
+            coupling.path or parameters.path,
+            own,
+            a.points[pair.first],
+            frames[:, 0, 2],
+            goal,
+            frames[:, 1, 2],
+            region,
+            parameters.seed,
         )
         numbers = np.stack([pair.first, pair.second], 1)
         blocks.append((np.full(len(own), pair.coupling), numbers, paths, frames, first, second))

@@ -41,7 +41,7 @@ class CouplingRow:
 
 @dataclass(frozen=True)
 class Pairs:
-    """The pairs of one coupling: site ``first[c]`` of the first face with site ``second[c]`` of the second; (C,) int64 each."""
+    """The pairs of one coupling: site ``first[c]`` of its first face with ``second[c]`` of its second; (C,) int64."""
 
     coupling: int
     first: np.ndarray
@@ -51,9 +51,9 @@ class Pairs:
 def couple(couplings: Sequence[Coupling], sites: Dict[str, Sites], seed: int) -> Tuple[List[Pairs], List[CouplingRow]]:
     """Return the pairs of sites and the table "available, rods, left", in the order of the couplings.
 
-    The face with fewer free sites is used fully. A random pair depends on the seed and on the names of the two sites only: each
-    possible pair has a random number, and the pairs are taken by falling number. All associations are equally likely, and a
-    site that is added or switched off disturbs only its neighbours in that order.
+    The face with fewer free sites is used fully. A random pair depends on the seed and on the names of the two sites
+    only: each possible pair has a random number, and the pairs are taken by falling number. All associations are
+    equally likely, and a site that is added or switched off disturbs only its neighbours in that order.
 
     Raises
     ------
@@ -88,7 +88,8 @@ def _check(coupling: Coupling, sites: Dict[str, Sites]) -> None:
             raise ParameterError(f"a coupled face must have at least 1 site, got 0 on face {name}")
     if coupling.first == coupling.second and sites[coupling.first].flat:
         raise ParameterError(
-            f"a face can be coupled with itself only if it is curved: rods of the flat face {coupling.first} would lie in its plane"
+            f"a face can be coupled with itself only if it is curved: rods of the flat face {coupling.first} would lie
+            in its plane"
         )
 
 
@@ -103,7 +104,9 @@ def _associate(
     a, b = free[coupling.first], free[coupling.second]
     if coupling.association == "same":
         places = {tuple(second.index[k].tolist()): int(k) for k in b}
-        found = [(int(k), places[tuple(first.index[k].tolist())]) for k in a if tuple(first.index[k].tolist()) in places]
+        found = [
+            (int(k), places[tuple(first.index[k].tolist())]) for k in a if tuple(first.index[k].tolist()) in places
+        ]
         found = [(p, q) for p, q in found if coupling.first != coupling.second or p < q]
         return tuple(np.array(found, np.int64).reshape(-1, 2).T)  # type: ignore[return-value]
     same = coupling.first == coupling.second

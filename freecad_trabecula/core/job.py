@@ -171,7 +171,9 @@ def _changed(owner: Any, keys: Sequence[str], value: Any, name: str) -> Any:
         require(key.isdigit() and int(key) < len(owner), f"{name} must number one of {len(owner)} entries", repr(key))
         return [_changed(o, keys[1:], value, name) if i == int(key) else to_record(o) for i, o in enumerate(owner)]
     fields: Dict[str, Any] = getattr(owner, "__dataclass_fields__", {})
-    require(key in fields, f"{name} must name a field of the job; known here are {', '.join(fields) or 'none'}", repr(key))
+    require(
+        key in fields, f"{name} must name a field of the job; known here are {', '.join(fields) or 'none'}", repr(key)
+    )
     record = {f: to_record(getattr(owner, f)) for f in fields}
     record[key] = _changed(getattr(owner, key), keys[1:], value, name)
     return record

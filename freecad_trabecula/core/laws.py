@@ -58,16 +58,17 @@ class Law:
     Attributes
     ----------
     kind : str
-        ``constant`` (low), ``uniform`` (Eq. 2.4 between low and high), ``normal`` (mean half-way, sd a sixth of the range, values
-        outside it are drawn again as in thesis 3.2.1), ``linear`` (low to high along ``direction`` over the envelope's box),
-        ``radial`` (low at the centre, high at the farthest corner of the box), ``expression`` (of x, y, z in mm and a random
-        u in [0, 1), clipped to low..high).
+        ``constant`` (low), ``uniform`` (Eq. 2.4 between low and high), ``normal`` (mean half-way, sd a sixth of the
+        range, values outside it are drawn again as in thesis 3.2.1), ``linear`` (low to high along ``direction`` over
+        the envelope's box), ``radial`` (low at the centre, high at the farthest corner of the box), ``expression``
+        (of x, y, z in mm and a random u in [0, 1), clipped to low..high).
     low, high : float
         Bounds, in the parameter's own unit; low <= high but for ``linear`` and ``radial``, which may also fall.
     direction : tuple of 3 floats
         Direction of ``linear``; need not be a unit vector.
     expression : str
-        Formula for ``expression``: + - * / % ** ( ), x, y, z, u, pi, e and the usual functions; read by a parser, never evaluated.
+        Formula for ``expression``: + - * / % ** ( ), x, y, z, u, pi, e and the usual functions; read by a parser,
+        never evaluated.
 
     Raises
     ------
@@ -101,7 +102,7 @@ class Law:
         return min(self.low, self.high), max(self.low, self.high)
 
     def draw(self, stream: Stream, count: int, point: np.ndarray, region: Region) -> np.ndarray:
-        """Return ``count`` values, ndarray (count,), for a thing at ``point`` (3,) mm, with random numbers from ``stream``.
+        """Return ``count`` values (count,) for a thing at ``point`` (3,) mm, with random numbers from ``stream``.
 
         One random number is taken per value whatever the kind (``normal`` included), so that changing the law
         of one parameter leaves the draws of the others alone.
@@ -156,7 +157,8 @@ def parse_expression(text: str) -> ast.expr:
     Raises
     ------
     ParameterError
-        If the text is no formula or holds anything but numbers, x, y, z, u, pi, e, + - * / % ** and the allowed functions.
+        If the text is no formula or holds anything but numbers, x, y, z, u, pi, e, + - * / % ** and the allowed
+        functions.
     """
     if not text.strip() or len(text) > _LONGEST_EXPRESSION:
         raise ParameterError(f"an expression must have 1 to {_LONGEST_EXPRESSION} characters, got {len(text)}")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the user chooses: frozen dataclasses, each checked when it is made.
 
-Every field carries ``metadata``: ``unit`` ("mm", "" for a pure number), ``doc`` (the tooltip), and where it helps ``low``/``high``.
-``features/base.py`` turns fields into document properties, ``records.py`` into JSON; nothing is copied by hand.
+Every field carries ``metadata``: ``unit`` ("mm", "" for a pure number), ``doc`` (the tooltip), and where it helps
+``low``/``high``. ``features/base.py`` turns fields into document properties, ``records.py`` into JSON; nothing is
+copied by hand.
 """
 
 from __future__ import annotations
@@ -56,7 +57,8 @@ class PoreParameters:
 
     layout: str = _f("spline", "", "circle, or closed spline through corners with random tangents", choices=LAYOUTS)
     size: Law = _f(uniform(0.2, 0.8), "mm", "Diameter of the circle, or side of the square through the corners")
-    corners: int = _f(4, "", "Corners of the spline; with 4 they lie on the square, else on a regular polygon of its area",
+    corners: int = _f(4, "", "Corners of the spline; with 4 they lie on the square, else on a regular polygon of its
+    area",
                       low=3, high=12)  # fmt: skip
     turn: Law = _f(uniform(0.0, 1.0), "", "Component of the unit tangent at each corner", low=0.0, high=1.0)
     pull: Law = _f(constant(1.0), "", "Length of the tangents in sides of the square; 1 is the thesis' unit tangent",
@@ -78,7 +80,7 @@ class PoreParameters:
         require(3 <= self.corners <= 12, "the number of corners of a pore must lie in 3..12", self.corners)
         for law, name, top in ((self.turn, "tangent component", 1.0), (self.pull, "tangent pull", 3.0)):
             least, most = law.range
-            require(0 <= least and most <= top, f"{name} must lie in 0..{top:g}", f"{least:g}..{most:g}")
+            require(least >= 0 and most <= top, f"{name} must lie in 0..{top:g}", f"{least:g}..{most:g}")
         _finite(self.scatter, "scatter of the corners", "", 0.0, 0.3)
         require(self.sections in (1, 2), "sections per rod must be 1 or 2", self.sections)
 
@@ -90,8 +92,8 @@ class PathParameters:
     kind: str = _f(
         "box",
         "",
-        "orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point; box: through a "
-        "random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals",
+        "orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point;
+        box: through a " "random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals",
         choices=PATHS,
     )
     points: Tuple[Point, ...] = _f((), "mm", "Convergence points; none means the centre of the envelope")
@@ -182,7 +184,9 @@ class FaceParameters:
     def __post_init__(self) -> None:
         require(bool(self.face), "a face must be named", repr(self.face))
         for value, name in ((self.c_u, "c_u"), (self.c_v, "c_v")):
-            require(math.isfinite(value) and value > 0, f"the spacing {name} must be greater than 0", f"{value:g}", "mm")
+            require(
+                math.isfinite(value) and value > 0, f"the spacing {name} must be greater than 0", f"{value:g}", "mm"
+            )
         for value, name in ((self.b_u, "b_u"), (self.b_v, "b_v")):
             _finite(value, f"the border distance {name}", "mm", 0.0)
         for direction, name in ((self.d1, "d1"), (self.d2, "d2")):
@@ -227,10 +231,14 @@ class SiteEdit:
 class RodParameters:
     """How rods are skinned and mended (design.md section 3; thesis 3.3.5, 4.2.4)."""
 
-    deflection: float = _f(0.0, "mm", "Greatest distance of the triangles from the true rod; 0 chooses 1/50 of the mean size")
+    deflection: float = _f(
+        0.0, "mm", "Greatest distance of the triangles from the true rod; 0 chooses 1/50 of the mean size"
+    )
     stations: int = _f(5, "", "Sections through which the surface of a solid rod is laid", low=3, high=33)
     lean: float = _f(0.0, "", "Tilt of the inner sections towards the path's normal planes", low=0.0, high=1.0)
-    redraws: int = _f(10, "", "Times that tangents or middle points are drawn again before the path is changed", low=0, high=100)
+    redraws: int = _f(
+        10, "", "Times that tangents or middle points are drawn again before the path is changed", low=0, high=100
+    )
 
     def __post_init__(self) -> None:
         _finite(self.deflection, "the deflection", "mm", 0.0)
@@ -258,7 +266,9 @@ class LayerParameters:
 class ScaffoldParameters:
     """From rods to channels (design.md section 4)."""
 
-    engine: str = _f("auto", "", "mesh: exact triangles; field: rays and cells, for many rods; brep: STEP", choices=ENGINES)
+    engine: str = _f(
+        "auto", "", "mesh: exact triangles; field: rays and cells, for many rods; brep: STEP", choices=ENGINES
+    )
     cell: float = _f(0.1, "mm", "Cell of the field engine")
     keep_loose: bool = _f(False, "", "Keep pieces that channels cut off all round, and closed voids as they are")
     layers: LayerParameters = _f(LayerParameters(), "", "Compact layers")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_FINE = 129  # points a piece for arc length by the trapezium rule: stations are within 1e-4 of the length
+_FINE = 129  # points a piece for arc length by the midpoint rule: stations are within 1e-4 of the length
 
 
 def straight_paths(p0: np.ndarray, p1: np.ndarray) -> np.ndarray:
@@ -85,9 +85,9 @@ def stations(paths: np.ndarray, count: int) -> Stations:
         empty = np.zeros((0, count, 3))
         return Stations(empty, empty, empty, shares, np.zeros(0))
     fine = np.linspace(0, 2, 2 * _FINE - 1)
-    speed = np.linalg.norm(_evaluate(paths, np.tile(fine, (rods, 1)), 1), axis=2)
-    step = fine[1]
-    length = np.concatenate([np.zeros((rods, 1)), np.cumsum((speed[:, 1:] + speed[:, :-1]) * step / 2, axis=1)], 1)
+    # the parameter's speed jumps where the pieces meet: it is taken in the middle of each step
+    speed = np.linalg.norm(_evaluate(paths, np.tile((fine[1:] + fine[:-1]) / 2, (rods, 1)), 1), axis=2)
+    length = np.concatenate([np.zeros((rods, 1)), np.cumsum(speed * fine[1], axis=1)], 1)
     total = length[:, -1]
     shift = 2.0 * np.arange(rods)[:, None]  # one np.interp for all rods: each has its own stretch of the number line
     where = np.interp((shares + shift).ravel(), (length / total[:, None] + shift).ravel(), np.tile(fine, rods))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pores: closed C1 curves of cubic pieces through corners (thesis 2.4.1, 2.4.2), many at once.
 
-A pore lies in the tangent plane of its site, in the axes (u, n x u) seen against the outer normal n, counter-clockwise. For the
-rod that starts there the same curve is seen from inside: ``mirrored``.
+A pore lies in the tangent plane of its site, in the axes (u, n x u) seen against the outer normal n,
+counter-clockwise. For the rod that starts there the same curve is seen from inside: ``mirrored``.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from .parameters import PoreParameters, SiteEdit
 from .sites import Sites
 from .streams import Stream
 
-#: Tangent length, in sides, of four corners at 45 degrees that enclose exactly the circle's area: the root of the quadratic that
-#: Green's theorem gives; the radius then errs by less than 0.05 %.
+#: Tangent length, in sides, of four corners at 45 degrees that enclose exactly the circle's area: the root of the
+#: quadratic that Green's theorem gives; the radius then errs by less than 0.05 %.
 CIRCLE_PULL = 7.5 * (math.sqrt(0.32) - math.sqrt(0.32 - (math.pi / 2 - 1) / 3.75))
 
 
@@ -35,7 +35,8 @@ class Pores:
     corners : ndarray (P, M, 2)
         Corners in units of ``size``.
     angles : ndarray (P, M)
-        Direction of the tangent at each corner, radians; grows with the corner and is not wrapped, so that it can be averaged.
+        Direction of the tangent at each corner, radians; grows with the corner and is not wrapped, so that it can be
+        averaged.
     lengths : ndarray (P, M)
         Length of the tangent (derivative over one piece) in units of ``size``.
     """
@@ -48,7 +49,7 @@ class Pores:
     def __len__(self) -> int:
         return len(self.size)
 
-    def take(self, which: np.ndarray) -> "Pores":
+    def take(self, which: np.ndarray) -> Pores:
         """Return the pores of the given indices or mask."""
         return Pores(self.size[which], self.corners[which], self.angles[which], self.lengths[which])
 
@@ -69,7 +70,7 @@ def join_pores(parts: Sequence[Pores]) -> Pores:
 
 
 def regular_corners(count: int) -> np.ndarray:
-    """Return the corners (M, 2) of the regular polygon with area 1; with 4 the unit square, its first corner at (-1/2, -1/2).
+    """Return the corners (M, 2) of the regular polygon with area 1; with 4 the unit square from (-1/2, -1/2) on.
 
     The polygon is its own mirror image in the first axis, corner k being that of M - 1 - k, which ``mirrored`` needs.
     """
@@ -83,7 +84,9 @@ def _edge_angles(count: int) -> np.ndarray:
     return -math.pi / 2 + 2 * math.pi / count * np.arange(count)
 
 
-def draw_turns(parameters: PoreParameters, seed: int, site: str, attempt: int, point: np.ndarray, region: Region) -> np.ndarray:
+def draw_turns(
+    parameters: PoreParameters, seed: int, site: str, attempt: int, point: np.ndarray, region: Region
+) -> np.ndarray:
     """Return the tangent components (M,) of one pore; ``attempt`` > 0 draws them anew (thesis 3.3.5)."""
     return parameters.turn.draw(Stream(seed, "turn", site, attempt), parameters.corners, point, region)
 
@@ -133,8 +136,8 @@ def make_pores(
         The layout.
     size : ndarray (P,), mm
     turns : ndarray (P, M)
-        Components in [0, 1] of the unit tangents; the component is the one along the leaving edge at even corners and along
-        the arriving edge at odd ones, so that it is always the same axis of the square (thesis 2.4.2).
+        Components in [0, 1] of the unit tangents; the component is the one along the leaving edge at even corners and
+        along the arriving edge at odd ones, so that it is always the same axis of the square (thesis 2.4.2).
     pulls : ndarray (P, M)
     shifts : ndarray (P, M, 2)
         Displacements of the corners in units of size.
@@ -181,8 +184,8 @@ def edit_pores(parameters: PoreParameters, pores: Pores, names: Sequence[str], e
         if edit.turns is not None:
             if len(edit.turns) != parameters.corners or parameters.layout == "circle":
                 raise ParameterError(
-                    f"the pore at {edit.site} takes {parameters.corners if parameters.layout == 'spline' else 0} tangent "
-                    f"components, got {len(edit.turns)}"
+                    f"the pore at {edit.site} takes {parameters.corners if parameters.layout == 'spline' else 0}
+                    tangent " f"components, got {len(edit.turns)}"
                 )
             one = make_pores(parameters, size[k : k + 1], np.array([edit.turns]), np.ones((1, len(edit.turns))),
                              np.zeros((1, len(edit.turns), 2)))  # fmt: skip
@@ -197,7 +200,7 @@ def mirrored(pores: Pores) -> Pores:
 
 
 def turned(pores: Pores, quarters: np.ndarray) -> Pores:
-    """Return the same curves in axes turned back by ``quarters`` (P,) M-ths of a full turn, corners renumbered to match."""
+    """Return the same curves in axes turned back by ``quarters`` (P,) M-ths of a turn, corners renumbered to match."""
     count = pores.corners.shape[1]
     step = 2 * math.pi / count
     old = np.arange(count)[None] - quarters[:, None]
@@ -216,7 +219,7 @@ def turned(pores: Pores, quarters: np.ndarray) -> Pores:
 
 
 def bezier_poles(pores: Pores) -> np.ndarray:
-    """Return the Bezier poles (P, M pieces, 4, 2), mm, of the closed curves; a Hermite tangent is three times its handle."""
+    """Return the Bezier poles (P, M, 4, 2), mm, of the closed curves; a Hermite tangent is three times its handle."""
     size = pores.size[:, None, None]
     corner = size * pores.corners
     handle = size / 3 * pores.lengths[..., None] * np.stack([np.cos(pores.angles), np.sin(pores.angles)], -1)
@@ -251,6 +254,6 @@ def outlines(poles: np.ndarray, points: int) -> np.ndarray:
 
 
 def loops(polygons: np.ndarray) -> np.ndarray:
-    """Return True (...,) where a closed polygon (..., m, 2) does not run once, simply, about its origin (not star-shaped)."""
+    """Return True (...,) where a closed polygon (..., m, 2) does not run once about its origin (not star-shaped)."""
     after = np.roll(polygons, -1, -2)
     return (polygons[..., 0] * after[..., 1] - polygons[..., 1] * after[..., 0] <= 0).any(-1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The thesis' designs as jobs: cases 1 to 6 (chapter 3), the prism of 420 rods (3.4), the two anatomical studies (chapter 4)."""
+"""The thesis' designs as jobs: cases 1 to 6 (chapter 3), the prism of 420 rods (3.4), two anatomical studies (4)."""
 
 from __future__ import annotations
 

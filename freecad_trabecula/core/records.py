@@ -13,7 +13,7 @@ T = TypeVar("T")
 
 
 def to_record(value: Any, everything: bool = False) -> Any:
-    """Return dicts, lists, strings, numbers for a dataclass; fields with their default value are left out unless ``everything``."""
+    """Return dicts, lists, strings, numbers for a dataclass; defaults are left out unless ``everything``."""
     if dataclasses.is_dataclass(value):
         record = {}
         for f in dataclasses.fields(value):

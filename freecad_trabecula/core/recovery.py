@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Recovery of faulty rods (thesis 3.3.5, 4.2.4): what is tried, in which order, counted for every rod.
 
-The thesis first redraws tangents. Measured, that never mends a flat rod, nor one whose section planes cross (rods.md: 0 of 79), so
-what is tried first follows from the fault: tangents for a section that crosses itself, the middle point where it is random for
-the others, and in the end the two-point path along the inner normals with tension 0.1, 0.2, ... mm.
+The thesis first redraws tangents. Measured, that never mends a flat rod, nor one whose section planes cross (rods.md:
+0 of 79), so what is tried first follows from the fault: tangents for a section that crosses itself, the middle point
+where it is random for the others, and in the end the two-point path along the inner normals with tension 0.1, 0.2,
+... mm.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from typing import Dict, List, Optional, Tuple
 import numpy as np
 
 from .laws import Region
-from .parameters import PathParameters
 from .paths import tension_paths
 from .pores import Pores, draw_pores, mirrored
 from .rods import RodEnds, Rods, build_rods, rod_faults
@@ -29,7 +29,8 @@ REMEDIES: Dict[str, Tuple[str, ...]] = {
 }
 TENSION_STEP = 0.1  # mm, thesis 4.2.4
 _STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is (rods.md)
-_CLEAR = 1.0  # sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by its nature
+_CLEAR = 1.0  # sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by
+its nature
 
 
 def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]) -> Wireframe:
@@ -58,9 +59,7 @@ def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contai
     hopeless = (still > 0) & (still != 1 + FAULTS.index("outside"))
     names = np.array(raw.names, dtype=object)
     result = without(work.wireframe, ~hopeless)
-    return replace(
-        result, recoveries=tuple(recoveries), failed=tuple(names[hopeless]), outside=tuple(names[out])
-    )
+    return replace(result, recoveries=tuple(recoveries), failed=tuple(names[hopeless]), outside=tuple(names[out]))
 
 
 def find_faults(wireframe: Wireframe, parameters: WireframeParameters, contains: Optional[Contains]) -> np.ndarray:
@@ -92,7 +91,9 @@ def outside_counts(rods: Rods, wireframe: Wireframe, contains: Contains) -> np.n
 class _Work:
     """The wireframe under repair."""
 
-    def __init__(self, raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]) -> None:
+    def __init__(
+        self, raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]
+    ) -> None:
         self.wireframe, self.parameters, self.region, self.contains = raw, parameters, region, contains
         couplings = parameters.couplings
         self.paths_of = [couplings[k].path or parameters.path for k in raw.coupling.tolist()]
@@ -103,7 +104,9 @@ class _Work:
         best = {k: self._badness(np.array([k]))[0] for k in group.tolist()}
         for name in REMEDIES[fault]:
             for step in range(1, self._steps(name) + 1):
-                left = np.array([k for k in group.tolist() if remedy[k] == "none" and self._applies(name, k, step)], int)
+                left = np.array(
+                    [k for k in group.tolist() if remedy[k] == "none" and self._applies(name, k, step)], int
+                )
                 if not len(left):
                     break
                 trial = self._apply(name, left, step)
@@ -196,8 +199,6 @@ class _Work:
                 array[rod] = getattr(new, n)[at]
             columns[name] = Pores(**arrays)
         self.wireframe = replace(whole, paths=paths, ends=replace(ends, **columns))
-
-
 
 
 def _with_shape(old: Pores, new: List[Pores]) -> Pores:

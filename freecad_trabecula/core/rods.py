@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rods: sections that turn and change along paths, all rods at once; their triangles and their faults (design.md section 3).
+"""Rods: sections that turn and change along paths, all rods at once; their triangles and their faults.
 
-Rotation, interpolation and skinning are plain array work: 147 rods take a few hundredths of a second, so that a preview can
-follow a dragged value.
+Rotation, interpolation and skinning are plain array work: 147 rods take a few hundredths of a second, so that a
+preview can follow a dragged value.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ import numpy as np
 from .paths import Stations, stations
 from .pores import Pores, bezier_areas, bezier_poles, loops, outlines, turned
 
-FLAT = 0.3  # least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat (design.md 3)
-_TIE = 1e-9  # frames exactly half-way between two turns must round the same way on every machine
+FLAT = 0.3  # least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat
+(design.md 3) _TIE = 1e-9  # frames exactly half-way between two turns must round the same way on every machine
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,8 @@ class RodEnds:
     first, second : Pores
         End sections in those axes.
     rolls : bool
-        True if the second section has a place of its own (two sections); False if the first is carried along (one section).
+        True if the second section has a place of its own (two sections); False if the first is carried along (one
+        section).
     """
 
     frames: np.ndarray
@@ -77,7 +78,7 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
 
 
 def _smallest_rotation(a: np.ndarray, b: np.ndarray, spare: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
-    """Axes (R, 3) and angles (R,) of the smallest rotations from a to b; ``spare`` (R, 3) decides when they are opposite."""
+    """Axes (R, 3) and angles (R,) of the smallest rotations from a to b; ``spare`` decides when they are opposite."""
     axis, cosine = np.cross(a, b), (a * b).sum(-1).clip(-1, 1)
     vanishing = np.linalg.norm(axis, axis=-1) < 1e-9
     if vanishing.any():
@@ -88,11 +89,13 @@ def _smallest_rotation(a: np.ndarray, b: np.ndarray, spare: np.ndarray) -> Tuple
     return _unit(axis), np.arccos(cosine)
 
 
-def section_frames(ends: RodEnds, tangents: np.ndarray, shares: np.ndarray, lean: float) -> Tuple[np.ndarray, np.ndarray]:
+def section_frames(
+    ends: RodEnds, tangents: np.ndarray, shares: np.ndarray, lean: float
+) -> Tuple[np.ndarray, np.ndarray]:
     """Return the planes of all sections, and the turns of the second section that they absorb.
 
-    The planes turn from end to end by slerp. Of the roll that is left, whole M-ths of a turn (the symmetry of the corners) are
-    taken off by renumbering the second section's corners; the rest is spread evenly.
+    The planes turn from end to end by slerp. Of the roll that is left, whole M-ths of a turn (the symmetry of the
+    corners) are taken off by renumbering the second section's corners; the rest is spread evenly.
 
     Parameters
     ----------
@@ -169,7 +172,7 @@ def default_deflection(mean_size: float) -> float:
 
 
 def rod_mesh(rods: Rods, beyond: float = 0.0) -> Tuple[np.ndarray, np.ndarray]:
-    """Return closed triangle meshes of all rods: vertices (R, V, 3), mm, and triangles (T, 3) of each (the same for all).
+    """Return closed triangle meshes of all rods: vertices (R, V, 3), mm, and the triangles (T, 3) that each has.
 
     ``beyond`` > 0 prolongs each rod by that distance, measured across its end planes, so that caps never lie in faces.
     """
@@ -177,7 +180,9 @@ def rod_mesh(rods: Rods, beyond: float = 0.0) -> Tuple[np.ndarray, np.ndarray]:
     ends = [centres[:, 0], centres[:, -1]]
     if beyond:
         shifts = [_prolongation(rods, 0, -beyond), _prolongation(rods, -1, beyond)]
-        rings = np.concatenate([rings[:, :1] + shifts[0][:, None, None], rings, rings[:, -1:] + shifts[1][:, None, None]], 1)
+        rings = np.concatenate(
+            [rings[:, :1] + shifts[0][:, None, None], rings, rings[:, -1:] + shifts[1][:, None, None]], 1
+        )
         ends = [c + s for c, s in zip(ends, shifts)]
     count, k, m = rings.shape[:3]
     vertices = np.concatenate([rings.reshape(count, k * m, 3), ends[0][:, None], ends[1][:, None]], 1)
@@ -217,8 +222,8 @@ def rod_triangles(rods: Rods, beyond: float = 0.0) -> np.ndarray:
 def rod_faults(rods: Rods) -> Dict[str, np.ndarray]:
     """Return, for each kind of fault, which rods have it: dict of ndarray (R,) bool. No Boolean, no kernel.
 
-    ``loop``: a section crosses itself. ``flat``: the path leaves a section plane at more than 72 degrees from its normal.
-    ``crossing``: neighbouring section planes cross inside the rod, so that its surface folds.
+    ``loop``: a section crosses itself. ``flat``: the path leaves a section plane at more than 72 degrees from its
+    normal. ``crossing``: neighbouring section planes cross inside the rod, so that its surface folds.
     """
     normals, rings, centres = rods.frames[:, :, 2], rods.rings, rods.stations.centres
     ahead = np.einsum("rkmx,rkx->rkm", rings[:, 1:] - centres[:, :-1, None], normals[:, :-1])
@@ -233,6 +238,6 @@ def rod_faults(rods: Rods) -> Dict[str, np.ndarray]:
 
 
 def narrowest_areas(rods: Rods) -> np.ndarray:
-    """Return each rod's least cross-section normal to its path, ndarray (R,), mm2: least section area times its slope."""
+    """Return each rod's least cross-section normal to its path, (R,), mm2: least section area times its slope."""
     slope = np.einsum("rkx,rkx->rk", rods.stations.tangents, rods.frames[:, :, 2])
     return (bezier_areas(rods.poles) * slope).min(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sites: the centres of pores on faces. Those of a prism (Eq. 2.1) are computed here, those of other faces in geometry."""
+"""Sites: the centres of pores on faces. Those of a prism (Eq. 2.1) are made here, those of other faces in geometry."""
 
 from __future__ import annotations
 
@@ -49,9 +49,7 @@ class Sites:
     @property
     def names(self) -> Tuple[str, ...]:
         """Names such as ``Face1.2.-3``; sites added by hand are ``Face1.hand.1``."""
-        return tuple(
-            f"{self.face}.hand.{i}" if j == HAND else f"{self.face}.{i}.{j}" for i, j in self.index.tolist()
-        )
+        return tuple(f"{self.face}.hand.{i}" if j == HAND else f"{self.face}.{i}.{j}" for i, j in self.index.tolist())
 
     @property
     def flat(self) -> bool:
@@ -71,7 +69,9 @@ def prism_sites(prism: PrismParameters) -> Dict[str, Sites]:
     sites = {}
     for axis in range(3):
         first, second = (axis + 1) % 3, (axis + 2) % 3
-        i, j = (a.ravel() for a in np.meshgrid(np.arange(len(grids[first])), np.arange(len(grids[second])), indexing="ij"))
+        i, j = (
+            a.ravel() for a in np.meshgrid(np.arange(len(grids[first])), np.arange(len(grids[second])), indexing="ij")
+        )
         for end in (0, 1):
             points = np.zeros((len(i), 3))
             points[:, first], points[:, second], points[:, axis] = grids[first][i], grids[second][j], end * sizes[axis]
@@ -89,7 +89,9 @@ def prism_sites(prism: PrismParameters) -> Dict[str, Sites]:
     return sites
 
 
-def edit_sites(sites: Sites, edits: Sequence[SiteEdit], placed: Dict[str, Tuple[np.ndarray, np.ndarray, np.ndarray]]) -> Sites:
+def edit_sites(
+    sites: Sites, edits: Sequence[SiteEdit], placed: Dict[str, Tuple[np.ndarray, np.ndarray, np.ndarray]]
+) -> Sites:
     """Return the sites of one face with the changes made by hand.
 
     Parameters

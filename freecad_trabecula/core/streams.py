@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random numbers that belong to a thing (a site, a pair, a rod), not to the order of drawing.
 
-numpy promises its frozen streams only for the legacy generator, and one generator for all would reshuffle every later rod when
-one more number is drawn. Hashing seed and identity by BLAKE2b (RFC 7693) gives the same numbers on every machine and version.
+numpy promises its frozen streams only for the legacy generator, and one generator for all would reshuffle every later
+rod when one more number is drawn. Hashing seed and identity by BLAKE2b (RFC 7693) gives the same numbers on every
+machine and version.
 """
 
 from __future__ import annotations
@@ -53,8 +54,8 @@ class Stream:
 def mix(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return one random 64-bit integer per pair, (A, B) uint64, from keys a (A,) and b (B,) (uint64).
 
-    The finaliser of SplitMix64 (Steele, Lea, Flood 2014, doi:10.1145/2714064.2660195) on a + 0x9E37...15 * b: whole-number
-    arithmetic, the same everywhere, and 10^5 pairs cost a millisecond.
+    The finaliser of SplitMix64 (Steele, Lea, Flood 2014, doi:10.1145/2714064.2660195) on a + 0x9E37...15 * b:
+    whole-number arithmetic, the same everywhere, and 10^5 pairs cost a millisecond.
     """
     z = a[:, None] + np.uint64(0x9E3779B97F4A7C15) * b[None, :]
     z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The wireframe of a design: sites, pores, pairs, paths, end sections, mended where needed. Rods and channels are views of it."""
+"""The wireframe of a design: sites, pores, pairs, paths, end sections. Rods and channels are views of it."""
 
 from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Sequence, Tuple
 
 import numpy as np
 
@@ -130,7 +130,7 @@ def draw_paths(
     seed: int,
     attempt: int = 0,
 ) -> np.ndarray:
-    """Return the paths (R, 2, 4, 3) of rods between p0 and p1 (R, 3), mm, with directions of travel n0 and n1 (R, 3) there.
+    """Return the paths (R, 2, 4, 3) of rods from p0 to p1 (R, 3), mm, with directions of travel n0, n1 (R, 3) there.
 
     Each rod draws from a stream of its own name; ``attempt`` > 0 draws other middle points.
     """
@@ -146,9 +146,15 @@ def draw_paths(
 
 
 def middle_points(
-    path: PathParameters, names: Sequence[str], p0: np.ndarray, p1: np.ndarray, region: Region, seed: int, attempt: int = 0
+    path: PathParameters,
+    names: Sequence[str],
+    p0: np.ndarray,
+    p1: np.ndarray,
+    region: Region,
+    seed: int,
+    attempt: int = 0,
 ) -> np.ndarray:
-    """Return the middle points (R, 3), mm, of 3-point paths: a convergence point, plus a random offset in the box (Eq. 3.1)."""
+    """Return the middle points (R, 3), mm: a convergence point, plus a random offset in the box (Eq. 3.1)."""
     targets = np.array(path.points or (region.centre,), float)
     drawn = np.array([Stream(seed, "middle", name, attempt).uniform(4) for name in names]).reshape(-1, 4)
     if path.choice == "nearest":
