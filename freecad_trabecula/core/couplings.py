@@ -88,8 +88,8 @@ def _check(coupling: Coupling, sites: Dict[str, Sites]) -> None:
             raise ParameterError(f"a coupled face must have at least 1 site, got 0 on face {name}")
     if coupling.first == coupling.second and sites[coupling.first].flat:
         raise ParameterError(
-            f"a face can be coupled with itself only if it is curved: rods of the flat face {coupling.first} would lie
-            in its plane"
+            f"a face can be coupled with itself only if it is curved: rods of the flat face {coupling.first} "
+            "would lie in its plane"
         )
 
 

@@ -57,8 +57,7 @@ class PoreParameters:
 
     layout: str = _f("spline", "", "circle, or closed spline through corners with random tangents", choices=LAYOUTS)
     size: Law = _f(uniform(0.2, 0.8), "mm", "Diameter of the circle, or side of the square through the corners")
-    corners: int = _f(4, "", "Corners of the spline; with 4 they lie on the square, else on a regular polygon of its
-    area",
+    corners: int = _f(4, "", "Corners of the spline; with 4 they lie on the square, else on a polygon of its area",
                       low=3, high=12)  # fmt: skip
     turn: Law = _f(uniform(0.0, 1.0), "", "Component of the unit tangent at each corner", low=0.0, high=1.0)
     pull: Law = _f(constant(1.0), "", "Length of the tangents in sides of the square; 1 is the thesis' unit tangent",
@@ -92,8 +91,8 @@ class PathParameters:
     kind: str = _f(
         "box",
         "",
-        "orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point;
-        box: through a " "random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals",
+        "orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point; "
+        "box: through a random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals",
         choices=PATHS,
     )
     points: Tuple[Point, ...] = _f((), "mm", "Convergence points; none means the centre of the envelope")

@@ -184,8 +184,8 @@ def edit_pores(parameters: PoreParameters, pores: Pores, names: Sequence[str], e
         if edit.turns is not None:
             if len(edit.turns) != parameters.corners or parameters.layout == "circle":
                 raise ParameterError(
-                    f"the pore at {edit.site} takes {parameters.corners if parameters.layout == 'spline' else 0}
-                    tangent " f"components, got {len(edit.turns)}"
+                    f"the pore at {edit.site} takes {parameters.corners if parameters.layout == 'spline' else 0} "
+                    f"tangent components, got {len(edit.turns)}"
                 )
             one = make_pores(parameters, size[k : k + 1], np.array([edit.turns]), np.ones((1, len(edit.turns))),
                              np.zeros((1, len(edit.turns), 2)))  # fmt: skip

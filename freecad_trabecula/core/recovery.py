@@ -29,8 +29,8 @@ REMEDIES: Dict[str, Tuple[str, ...]] = {
 }
 TENSION_STEP = 0.1  # mm, thesis 4.2.4
 _STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is (rods.md)
-_CLEAR = 1.0  # sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by
-its nature
+#: Sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by its nature.
+_CLEAR = 1.0
 
 
 def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]) -> Wireframe:

@@ -16,8 +16,9 @@ import numpy as np
 from .paths import Stations, stations
 from .pores import Pores, bezier_areas, bezier_poles, loops, outlines, turned
 
-FLAT = 0.3  # least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat
-(design.md 3) _TIE = 1e-9  # frames exactly half-way between two turns must round the same way on every machine
+#: Least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat (design.md 3).
+FLAT = 0.3
+_TIE = 1e-9  # frames exactly half-way between two turns must round the same way on every machine
 
 
 @dataclass(frozen=True)
