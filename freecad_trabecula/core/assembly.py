@@ -90,11 +90,15 @@ def _assemble(
         names += own
     if not blocks:
         empty = Pores(np.zeros(0), np.zeros((0, 4, 2)), np.zeros((0, 4)), np.zeros((0, 4)))
-        ends = RodEnds(np.zeros((0, 2, 3, 3)), empty, empty)
+        ends = RodEnds(np.zeros((0, 2, 3, 3)), empty, empty, np.zeros(0))
         return Wireframe(sites, drawn, rows, (), np.zeros(0, int), np.zeros((0, 2), int), np.zeros((0, 2, 4, 3)), ends)
     coupling_numbers, numbers, paths, frames = (np.concatenate([b[i] for b in blocks]) for i in range(4))
     ends = RodEnds(
-        frames, join_pores([b[4] for b in blocks]), join_pores([b[5] for b in blocks]), parameters.pores.sections == 2
+        frames,
+        join_pores([b[4] for b in blocks]),
+        join_pores([b[5] for b in blocks]),
+        np.full(len(names), parameters.rods.lean),
+        parameters.pores.sections == 2,
     )
     return Wireframe(sites, drawn, rows, tuple(names), coupling_numbers, numbers, paths, ends)
 

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Recovery of faulty rods (thesis 3.3.5, 4.2.4): what is tried, in which order, counted for every rod.
 
-The thesis first redraws tangents. Measured, that never mends a flat rod, nor one whose section planes cross (rods.md:
-0 of 79), so what is tried first follows from the fault: tangents for a section that crosses itself, the middle point
-where it is random for the others, and in the end the two-point path along the inner normals with tension 0.1, 0.2,
-... mm.
+The thesis first redraws tangents. Measured, that never mends a flat rod, nor one whose section planes cross (0 of 79),
+so what is tried first follows from the fault: tangents for a section that crosses itself, the middle point where it is
+random for the others, then the two-point path along the inner normals with tension 0.1, 0.2, ... mm (thesis 4.2.4), and
+last the same with the inner sections leaning towards the path's normal planes, which unfolds rods between near sites on
+faces at an angle.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -22,13 +23,13 @@ from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, draw_
 
 FAULTS = ("loop", "flat", "crossing", "outside")
 REMEDIES: Dict[str, Tuple[str, ...]] = {
-    "loop": ("tangents", "middle", "tension"),
-    "flat": ("middle", "tension"),
-    "crossing": ("middle", "tangents", "tension"),
-    "outside": ("middle", "tension"),
+    "loop": ("tangents", "middle", "tension", "lean"),
+    "flat": ("middle", "tension", "lean"),
+    "crossing": ("middle", "tangents", "tension", "lean"),
+    "outside": ("middle", "tension", "lean"),
 }
 TENSION_STEP = 0.1  # mm, thesis 4.2.4
-_STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is (rods.md)
+_STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is 
 #: Sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by its nature.
 _CLEAR = 1.0
 
@@ -64,7 +65,7 @@ def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contai
 
 def find_faults(wireframe: Wireframe, parameters: WireframeParameters, contains: Optional[Contains]) -> np.ndarray:
     """Return the first fault of each rod, ndarray (R,) int: 0 none, else 1 + its place in ``FAULTS``."""
-    rods = build_rods(wireframe.paths, wireframe.ends, _STATIONS, _POINTS, parameters.rods.lean)
+    rods = build_rods(wireframe.paths, wireframe.ends, _STATIONS, _POINTS)
     found = np.zeros(len(wireframe), int)
     kinds = rod_faults(rods)
     if contains is not None:
@@ -122,7 +123,7 @@ class _Work:
         return [Recovery(names[k], fault, remedy[k], attempts[k]) for k in group.tolist()]
 
     def _steps(self, remedy: str) -> int:
-        if remedy != "tension":
+        if remedy not in ("tension", "lean"):
             return self.parameters.rods.redraws
         chord = np.linalg.norm(self.wireframe.paths[:, 1, 3] - self.wireframe.paths[:, 0, 0], axis=1)
         return int(np.ceil(chord.max() / TENSION_STEP))
@@ -140,7 +141,7 @@ class _Work:
     def _badness(self, which: np.ndarray, trial: Optional[Wireframe] = None) -> np.ndarray:
         """Return 0 for a sound rod; else the points outside, or a large number for a fault of the rod itself."""
         trial = trial or without(self.wireframe, which)
-        rods = build_rods(trial.paths, trial.ends, _STATIONS, _POINTS, self.parameters.rods.lean)
+        rods = build_rods(trial.paths, trial.ends, _STATIONS, _POINTS)
         faulty = np.any(list(rod_faults(rods).values()), 0)
         counts = outside_counts(rods, trial, self.contains) if self.contains is not None else np.zeros(len(trial), int)
         return np.where(faulty, 10**9, counts)
@@ -149,10 +150,11 @@ class _Work:
         part = without(self.wireframe, which)
         ends = part.ends
         p0, p1 = part.paths[:, 0, 0], part.paths[:, 1, 3]
-        if remedy == "tension":
+        if remedy in ("tension", "lean"):
+            leaning = np.ones(len(which)) if remedy == "lean" else ends.leans
             tension = np.full(len(which), step * TENSION_STEP)
             paths = tension_paths(p0, ends.frames[:, 0, 2], p1, ends.frames[:, 1, 2], tension, tension)
-            return replace(part, paths=paths)
+            return replace(part, paths=paths, ends=replace(ends, leans=leaning))
         if remedy == "middle":
             paths = part.paths.copy()
             for at, k in enumerate(which.tolist()):
@@ -191,7 +193,9 @@ class _Work:
         paths = whole.paths.copy()
         paths[rod] = trial.paths[at]
         ends = whole.ends
-        columns = {}
+        leans = ends.leans.copy()
+        leans[rod] = trial.ends.leans[at]
+        columns: Dict[str, Any] = {"leans": leans}
         for name in ("first", "second"):
             old, new = getattr(ends, name), getattr(trial.ends, name)
             arrays = {n: getattr(old, n).copy() for n in Pores.__dataclass_fields__}

@@ -16,7 +16,7 @@ import numpy as np
 from .paths import Stations, stations
 from .pores import Pores, bezier_areas, bezier_poles, loops, outlines, turned
 
-#: Least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat (design.md 3).
+#: Least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat .
 FLAT = 0.3
 _TIE = 1e-9  # frames exactly half-way between two turns must round the same way on every machine
 
@@ -31,6 +31,8 @@ class RodEnds:
         Rows u, v, n of the section planes at both ends; n points along the rod, v = n x u.
     first, second : Pores
         End sections in those axes.
+    leans : ndarray (R,)
+        0..1: tilt of each rod's inner section planes towards its path's normal planes; full half-way, none at the ends.
     rolls : bool
         True if the second section has a place of its own (two sections); False if the first is carried along (one
         section).
@@ -39,6 +41,7 @@ class RodEnds:
     frames: np.ndarray
     first: Pores
     second: Pores
+    leans: np.ndarray
     rolls: bool = True
 
 
@@ -90,9 +93,7 @@ def _smallest_rotation(a: np.ndarray, b: np.ndarray, spare: np.ndarray) -> Tuple
     return _unit(axis), np.arccos(cosine)
 
 
-def section_frames(
-    ends: RodEnds, tangents: np.ndarray, shares: np.ndarray, lean: float
-) -> Tuple[np.ndarray, np.ndarray]:
+def section_frames(ends: RodEnds, tangents: np.ndarray, shares: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
     """Return the planes of all sections, and the turns of the second section that they absorb.
 
     The planes turn from end to end by slerp. Of the roll that is left, whole M-ths of a turn (the symmetry of the
@@ -103,8 +104,6 @@ def section_frames(
     ends : RodEnds
     tangents : ndarray (R, K, 3)
     shares : ndarray (K,)
-    lean : float
-        0..1: tilt of the inner planes towards the path's normal planes, full half-way, none at the ends.
 
     Returns
     -------
@@ -123,21 +122,21 @@ def section_frames(
         step = 2 * math.pi / ends.first.corners.shape[1]
         turns = np.floor(roll / step + 0.5 - _TIE).astype(int)
         u = _rotate(u, n, (roll - turns * step)[:, None] * shares)
-    if lean:
+    if ends.leans.any():
         across = np.cross(n, tangents)
         sine = np.linalg.norm(across, axis=-1)
-        tilt = lean * 4 * shares * (1 - shares) * np.arctan2(sine, (n * tangents).sum(-1))
+        tilt = ends.leans[:, None] * 4 * shares * (1 - shares) * np.arctan2(sine, (n * tangents).sum(-1))
         u, n = (_rotate(a, _unit(across), tilt) for a in (u, n))
     return np.stack([u, np.cross(n, u), n], 2), turns
 
 
-def build_rods(paths: np.ndarray, ends: RodEnds, count: int, points: int, lean: float = 0.0) -> Rods:
+def build_rods(paths: np.ndarray, ends: RodEnds, count: int, points: int) -> Rods:
     """Return rods along ``paths`` (R, 2, 4, 3) with ``count`` sections of about ``points`` ring points each.
 
     Sections change from end to end linearly in size, corners, tangent directions and tangent lengths.
     """
     on_path = stations(paths, count)
-    frames, turns = section_frames(ends, on_path.tangents, on_path.shares, lean)
+    frames, turns = section_frames(ends, on_path.tangents, on_path.shares)
     second = turned(ends.second, turns) if ends.rolls else ends.first
     share = on_path.shares
 
@@ -158,7 +157,7 @@ def tessellation(mean_size: float, deflection: float, curved: bool) -> Tuple[int
     """Return stations K and ring points m that keep triangles within ``deflection`` mm of the rods.
 
     A ring of m chords about a radius r sags by r (1 - cos(pi / m)); r is 0.68 sizes, a spline section's mean radius
-    (area 1.46 size^2). A path of radius R sags by chord^2 / (8 R); R = 4 mm is the least usual radius (rods.md) for
+    (area 1.46 size^2). A path of radius R sags by chord^2 / (8 R); R = 4 mm is the least usual radius  for
     10 mm of length.
     """
     radius = 0.68 * mean_size

@@ -93,7 +93,7 @@ class Wireframe:
 
     def keys(self) -> List[str]:
         """Return a hash of each rod's numbers: equal keys, equal rods, whatever else changed."""
-        arrays = [self.paths, self.ends.frames]
+        arrays = [self.paths, self.ends.frames, self.ends.leans]
         arrays += [getattr(p, n) for p in (self.ends.first, self.ends.second) for n in Pores.__dataclass_fields__]
         flat = np.concatenate([a.reshape(len(self), -1) for a in arrays], 1) if len(self) else np.zeros((0, 1))
         return [hashlib.blake2b(np.ascontiguousarray(row).tobytes(), digest_size=12).hexdigest() for row in flat]
@@ -109,7 +109,7 @@ def skin(wireframe: Wireframe, parameters: RodParameters, stations: int = 0) -> 
     """Return the rods of a wireframe; ``stations`` > 0 overrides the number that the deflection asks for."""
     size = wireframe.mean_size
     count, points = tessellation(size, parameters.deflection or default_deflection(size), wireframe.curved())
-    return build_rods(wireframe.paths, wireframe.ends, stations or count, points, parameters.lean)
+    return build_rods(wireframe.paths, wireframe.ends, stations or count, points)
 
 
 def end_frames(a: Sites, first: np.ndarray, b: Sites, second: np.ndarray) -> np.ndarray:
@@ -161,9 +161,7 @@ def middle_points(
         chord = (p0 + p1) / 2
         chosen = np.linalg.norm(chord[:, None] - targets[None], axis=2).argmin(1)
     else:
-        # the choice among the points belongs to the rod, not to the attempt
-        pick = np.array([Stream(seed, "middle", name, 0).uniform(1)[0] for name in names])
-        chosen = (pick * len(targets)).astype(int)
+        chosen = (drawn[:, 0] * len(targets)).astype(int)
     middle = targets[chosen]
     if path.kind == "box":
         middle = middle + (drawn[:, 1:] - 0.5) * np.array(path.box)
@@ -179,5 +177,11 @@ def without(wireframe: Wireframe, keep: np.ndarray) -> Wireframe:
         coupling=wireframe.coupling[keep],
         site_numbers=wireframe.site_numbers[keep],
         paths=wireframe.paths[keep],
-        ends=replace(ends, frames=ends.frames[keep], first=ends.first.take(keep), second=ends.second.take(keep)),
+        ends=replace(
+            ends,
+            frames=ends.frames[keep],
+            first=ends.first.take(keep),
+            second=ends.second.take(keep),
+            leans=ends.leans[keep],
+        ),
     )
