@@ -26,25 +26,37 @@ as_root() {
     fi
 }
 
-missing=
-if command -v dpkg-query >/dev/null; then
-    for package in $packages; do
-        case $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true) in
-            *" installed") ;;
-            *) missing="$missing $package" ;;
-        esac
+is_installed() {
+    case $(dpkg-query -W -f='${Status}' "$1" 2>/dev/null || true) in
+        *" installed") return 0 ;;
+        *) return 1 ;;
+    esac
+}
+
+install_missing() {
+    missing=
+    for package in "$@"; do
+        is_installed "$package" || missing="$missing $package"
     done
-else
-    for command in freecadcmd freecad xvfb-run; do
-        command -v "$command" >/dev/null || die "$command is not on PATH, and this is no Debian: please install it"
-    done
-fi
-if [ -n "$missing" ]; then
+    [ -n "$missing" ] || return 0
     say "installing by apt:$missing"
     as_root apt-get update -q </dev/null
     # shellcheck disable=SC2086  # the packages are words
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
         -o DPkg::Lock::Timeout=300 $missing </dev/null
+}
+
+if command -v dpkg-query >/dev/null; then
+    # shellcheck disable=SC2086
+    install_missing $packages
+    # Mouse and keys for the tests of the window, from the Qt that this FreeCAD was built with.
+    for pyside in python3-pyside2 python3-pyside6; do
+        if is_installed "$pyside.qtcore"; then install_missing "$pyside.qttest"; fi
+    done
+else
+    for command in freecadcmd freecad xvfb-run; do
+        command -v "$command" >/dev/null || die "$command is not on PATH, and this is no Debian: please install it"
+    done
 fi
 
 folder=$(mktemp -d)
