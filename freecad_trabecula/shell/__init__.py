@@ -1,1 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: python3 -m freecad_trabecula."""
