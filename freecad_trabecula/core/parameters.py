@@ -228,7 +228,7 @@ class SiteEdit:
 
 @dataclass(frozen=True)
 class RodParameters:
-    """How rods are skinned and mended (design.md section 3; thesis 3.3.5, 4.2.4)."""
+    """How rods are skinned and mended (thesis 3.3.5, 4.2.4)."""
 
     deflection: float = _f(
         0.0, "mm", "Greatest distance of the triangles from the true rod; 0 chooses 1/50 of the mean size"
@@ -263,7 +263,7 @@ class LayerParameters:
 
 @dataclass(frozen=True)
 class ScaffoldParameters:
-    """From rods to channels (design.md section 4)."""
+    """From rods to channels."""
 
     engine: str = _f(
         "auto", "", "mesh: exact triangles; field: rays and cells, for many rods; brep: STEP", choices=ENGINES

@@ -33,7 +33,7 @@ def test_flat_rods_of_case_6_are_mended_by_another_middle_point():
         assert all(1 <= x.attempts <= 10 for x in made.recoveries)
         assert not (find_faults(made, case6(seed), None) > 0).any()
         mended += len(made.recoveries)
-    assert 5 <= mended <= 20  # rods.md: 30 in ten seeds
+    assert 5 <= mended <= 20  # 30 in ten seeds of an independent prototype
 
 
 def test_sound_rods_are_left_as_they_were():
@@ -54,7 +54,7 @@ def test_without_redraws_the_path_along_the_normals_mends():
 
 
 def test_faces_at_right_angles_are_joined_without_a_fault():
-    # rods.md: 49 of 196 such rods are faulty before mending; tension mends 45, the middle point 44
+    # in an independent prototype 49 of 196 such rods are faulty before mending; tension mends 45, the middle point 44
     couplings = (Coupling("Face1", "Face3"), Coupling("Face2", "Face5"), Coupling("Face4", "Face6"))
     job = WireframeParameters(couplings=couplings, seed=1)
     made = make_wireframe(job, SITES, CUBE)
