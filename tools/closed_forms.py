@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Volumes of crossing cylinders, by which case 1 is checked: no mesh, no kernel, no ray. Lengths mm, numpy only.
 
-Case 1 of the thesis has straight round channels along X, Y and Z whose axes meet in the nodes of a grid; between the nodes nothing
-crosses. So the union is the sum of the cylinders, less every pair's common part, plus what all three have in common, node by
-node (inclusion and exclusion).
+Case 1 of the thesis has straight round channels along X, Y and Z whose axes meet in the nodes of a grid; between the
+nodes nothing crosses. So the union is the sum of the cylinders, less every pair's common part, plus what all three
+have in common, node by node (inclusion and exclusion).
 """
 
 import numpy as np
@@ -29,8 +29,8 @@ def two_cylinders(a, b):
 def three_cylinders(a, b, c):
     """Return the volume common to three cylinders of radii a, b, c (...,) along X, Y, Z through one point.
 
-    8 (2 - sqrt 2) a^3 for equal radii. The first quadrant's part of y^2 + z^2 <= a^2, y <= p, z <= q is integrated over x with
-    p = sqrt(c^2 - x^2), q = sqrt(b^2 - x^2).
+    8 (2 - sqrt 2) a^3 for equal radii. The first quadrant's part of y^2 + z^2 <= a^2, y <= p, z <= q is integrated
+    over x with p = sqrt(c^2 - x^2), q = sqrt(b^2 - x^2).
     """
     a, b, c = np.broadcast_arrays(*(np.asarray(r, float)[..., None] for r in (a, b, c)))
     least = np.minimum(b, c)
