@@ -29,7 +29,8 @@ LAYERS = (
         "features",
         ("features.*",),
         ("stdlib", "numpy", "FreeCAD", "Part", "Mesh", ".errors", ".core", ".geometry", ".features"),
-        (),
+        # An object made without a window is given its view provider when it is opened in one.
+        (".gui.view_providers",),
     ),
     (
         "make",

@@ -1,0 +1,441 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all document objects share: properties made from parameter classes, states, migrations, errors.
+
+This is the only place where a frozen parameter class becomes properties and back. The rule: prefix of the class
+(``Pore``, ``Path``, ...) + the field's name in CamelCase, or the name that ``BINDINGS`` gives it. Property names are a
+file format: they never change without a migration. Lengths are ``App::PropertyLength`` (mm), so that expressions and
+units work.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import traceback
+import typing
+from typing import Any, Callable, ClassVar, Dict, Iterable, List, NamedTuple, Sequence, Tuple, Type, TypeVar
+
+import FreeCAD
+
+from ..core import laws
+from ..core.parameters import (
+    FaceParameters,
+    LayerParameters,
+    PathParameters,
+    Point,
+    PoreParameters,
+    PrismParameters,
+    RodParameters,
+    ScaffoldParameters,
+)
+from ..core.progress import Progress, silent
+from ..core.records import from_record, to_record
+from ..errors import ParameterError, TrabeculaError
+
+T = TypeVar("T")
+
+# FreeCAD's attributes of properties (App::PropertyType)
+READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
+_MOST = 2**31 - 1
+SCHEMA_VERSION = 1
+UP_TO_DATE = "up to date"
+
+
+class Binding(NamedTuple):
+    """How a parameter class appears on an object: prefix and group of its properties, other names, fields left out."""
+
+    prefix: str
+    group: str
+    names: Dict[str, str] = {}
+    without: Tuple[str, ...] = ()
+
+
+#: Parameter classes that become properties. ``names`` gives the whole property name, without the prefix.
+BINDINGS: Dict[type, Binding] = {
+    PoreParameters: Binding("Pore", "Pores"),
+    PathParameters: Binding("Path", "Paths"),
+    RodParameters: Binding("Rod", "Rods"),
+    LayerParameters: Binding("Layer", "Layers"),
+    PrismParameters: Binding(
+        "",
+        "Sites",
+        {
+            **{f"n_{axis}": f"Sites{axis.upper()}" for axis in "xyz"},
+            **{f"a_{axis}": f"Border{axis.upper()}" for axis in "xyz"},
+        },
+        ("l", "w", "h"),
+    ),
+    FaceParameters: Binding(
+        "",
+        "Sites",
+        {
+            "name": "FaceName",
+            "d1": "DirectionU",
+            "d2": "DirectionV",
+            "c_u": "SpacingU",
+            "c_v": "SpacingV",
+            "b_u": "BorderU",
+            "b_v": "BorderV",
+        },
+        ("face",),
+    ),
+    ScaffoldParameters: Binding("", "Scaffold", {"seconds": "TimeBudget", "memory_gb": "MemoryBudget"}),
+}
+
+
+class _Kind(NamedTuple):
+    """How values of one type are kept: properties (type, suffix, doc, constraint), and value to properties and back."""
+
+    properties: Callable[[dataclasses.Field], Iterable[Tuple[str, str, str, Any]]]
+    read: Callable[[Any, str], Any]
+    write: Callable[[Any, str, Any], None]
+
+
+# ------------------------------------------------------------------------------------------------------- the kinds
+
+
+def _number(obj: Any, name: str) -> float:
+    return float(getattr(getattr(obj, name), "Value", getattr(obj, name)))
+
+
+def _triple(vector: FreeCAD.Vector) -> Point:
+    return (vector.x, vector.y, vector.z)
+
+
+def _float_type(field: dataclasses.Field) -> Tuple[str, Any]:
+    meta = field.metadata
+    if meta["unit"] == "mm":
+        return "App::PropertyLength", None
+    if "low" in meta or "high" in meta:
+        low, high = meta.get("low", -_MOST), meta.get("high", _MOST)
+        return "App::PropertyFloatConstraint", (float(low), float(high), 0.05)
+    return "App::PropertyFloat", None
+
+
+def _one(property_type: str) -> Callable[[dataclasses.Field], Iterable[Tuple[str, str, str, Any]]]:
+    return lambda field: [(property_type, "", field.metadata["doc"], None)]
+
+
+def _float_properties(field: dataclasses.Field) -> Iterable[Tuple[str, str, str, Any]]:
+    property_type, constraint = _float_type(field)
+    return [(property_type, "", field.metadata["doc"], constraint)]
+
+
+def _int_properties(field: dataclasses.Field) -> Iterable[Tuple[str, str, str, Any]]:
+    constraint = (field.metadata.get("low", 0), field.metadata.get("high", _MOST), 1)
+    return [("App::PropertyIntegerConstraint", "", field.metadata["doc"], constraint)]
+
+
+def _text_properties(field: dataclasses.Field) -> Iterable[Tuple[str, str, str, Any]]:
+    choices = field.metadata.get("choices")
+    if choices:
+        return [("App::PropertyEnumeration", "", field.metadata["doc"], list(choices))]
+    return [("App::PropertyString", "", field.metadata["doc"], None)]
+
+
+def _law_properties(field: dataclasses.Field) -> Iterable[Tuple[str, str, str, Any]]:
+    doc, (property_type, constraint) = field.metadata["doc"], _float_type(field)
+    return [
+        ("App::PropertyEnumeration", "Law", f"{doc}: how it varies over the design", list(laws.KINDS)),
+        (property_type, "Low", f"{doc}: the constant value, or the least; linear, radial: at the start", constraint),
+        (property_type, "High", f"{doc}: the greatest value; linear, radial: at the end", constraint),
+        ("App::PropertyVector", "Direction", f"{doc}: direction in which a linear law grows", None),
+        ("App::PropertyString", "Expression", f"{doc}: formula of x, y, z (mm) and a random u in 0..1", None),
+    ]
+
+
+def _read_law(obj: Any, name: str) -> laws.Law:
+    low, high = _number(obj, name + "Low"), _number(obj, name + "High")
+    direction = _triple(getattr(obj, name + "Direction"))
+    return laws.Law(getattr(obj, name + "Law"), low, high, direction, getattr(obj, name + "Expression"))
+
+
+def _write_law(obj: Any, name: str, law: laws.Law) -> None:
+    setattr(obj, name + "Law", law.kind)
+    setattr(obj, name + "Low", float(law.low))
+    setattr(obj, name + "High", float(law.high))
+    setattr(obj, name + "Direction", FreeCAD.Vector(*law.direction))
+    setattr(obj, name + "Expression", law.expression)
+
+
+def _optional_properties(field: dataclasses.Field) -> Iterable[Tuple[str, str, str, Any]]:
+    doc = field.metadata["doc"]
+    if field.metadata["unit"] == "mm":  # the zero point is a point: whether it is given is a switch of its own
+        return [
+            ("App::PropertyVectorDistance", "", doc, None),
+            ("App::PropertyBool", "Given", f"On: the value counts. {doc}", None),
+        ]
+    return [("App::PropertyVector", "", f"{doc} (the zero vector)", None)]
+
+
+def _read_optional(obj: Any, name: str) -> Any:
+    value = getattr(obj, name)
+    given = getattr(obj, name + "Given") if hasattr(obj, name + "Given") else value.Length > 0
+    return _triple(value) if given else None
+
+
+def _write_optional(obj: Any, name: str, value: Any) -> None:
+    setattr(obj, name, FreeCAD.Vector(*(value or (0.0, 0.0, 0.0))))
+    if hasattr(obj, name + "Given"):
+        setattr(obj, name + "Given", value is not None)
+
+
+def _plain(property_type: str, read: Callable[[Any], Any], write: Callable[[Any], Any]) -> _Kind:
+    return _Kind(
+        _one(property_type),
+        lambda obj, name: read(getattr(obj, name)),
+        lambda obj, name, value: setattr(obj, name, write(value)),
+    )
+
+
+_KINDS: Dict[Any, _Kind] = {
+    bool: _plain("App::PropertyBool", bool, bool),
+    int: _plain("", int, int)._replace(properties=_int_properties),
+    str: _plain("", str, str)._replace(properties=_text_properties),
+    float: _Kind(_float_properties, _number, lambda obj, name, value: setattr(obj, name, float(value))),
+    laws.Law: _Kind(_law_properties, _read_law, _write_law),
+    Point: _plain("App::PropertyVectorDistance", _triple, lambda point: FreeCAD.Vector(*point)),
+    typing.Optional[Point]: _Kind(_optional_properties, _read_optional, _write_optional),
+    Tuple[Point, ...]: _plain(
+        "App::PropertyVectorList",
+        lambda points: tuple(_triple(p) for p in points),
+        lambda points: [FreeCAD.Vector(*p) for p in points],
+    ),
+    Tuple[str, ...]: _plain("App::PropertyStringList", tuple, list),
+}
+
+
+# --------------------------------------------------------------------------------- parameter class <-> properties
+
+
+def property_name(cls: type, field: str) -> str:
+    """Return the name of the property (of a law or an optional point: its first part) that keeps a field.
+
+    Examples
+    --------
+    >>> property_name(PoreParameters, "scatter"), property_name(PrismParameters, "n_x")
+    ('PoreScatter', 'SitesX')
+    """
+    binding = BINDINGS[cls]
+    return binding.names.get(field) or binding.prefix + "".join(
+        part[:1].upper() + part[1:] for part in field.split("_")
+    )
+
+
+def _fields(cls: type) -> Iterable[Tuple[dataclasses.Field, str, Any]]:
+    """Yield field, property name and type of each field that becomes properties."""
+    hints = typing.get_type_hints(cls)
+    for field in dataclasses.fields(cls):
+        if field.name not in BINDINGS[cls].without:
+            yield field, property_name(cls, field.name), hints[field.name]
+
+
+def add_parameters(obj: Any, cls: type) -> None:
+    """Add the properties of a parameter class that the object lacks, with the class's defaults; set the limits of all.
+
+    FreeCAD does not save the limits of constrained numbers, hence this is called for restored objects too.
+    """
+    for field, name, hint in _fields(cls):
+        if hint in BINDINGS:
+            add_parameters(obj, hint)
+            continue
+        kind, missing = _KINDS[hint], False
+        for property_type, suffix, doc, constraint in kind.properties(field):
+            if not hasattr(obj, name + suffix):
+                letter = f" ({field.name})" if field.name in BINDINGS[cls].names else ""
+                obj.addProperty(property_type, name + suffix, BINDINGS[cls].group, doc + letter)
+                missing = True
+                if isinstance(constraint, list):
+                    setattr(obj, name + suffix, constraint)
+            if isinstance(constraint, tuple):
+                setattr(obj, name + suffix, (getattr(obj, name + suffix), *constraint))
+        if missing:
+            kind.write(obj, name, field.default)
+
+
+def write_parameters(obj: Any, parameters: Any) -> None:
+    """Set an object's properties from a parameter object."""
+    for field, name, hint in _fields(type(parameters)):
+        value = getattr(parameters, field.name)
+        if hint in BINDINGS:
+            write_parameters(obj, value)
+        else:
+            _KINDS[hint].write(obj, name, value)
+
+
+def read_parameters(obj: Any, cls: type, **fixed: Any) -> Any:
+    """Return the checked parameter object that an object's properties describe.
+
+    Parameters
+    ----------
+    obj : document object
+    cls : type
+        A parameter class of ``BINDINGS``.
+    **fixed
+        Values of the fields that are no properties.
+
+    Raises
+    ------
+    ParameterError
+        If the class refuses the values.
+    """
+    values = dict(fixed)
+    for field, name, hint in _fields(cls):
+        try:
+            values[field.name] = read_parameters(obj, hint) if hint in BINDINGS else _KINDS[hint].read(obj, name)
+        except ParameterError as error:
+            unit = field.metadata["unit"]
+            raise ParameterError(f"{name}{' (' + unit + ')' if unit else ''}: {error}") from error
+    return cls(**values)
+
+
+# ------------------------------------------------------------------------------------------------------ the objects
+
+
+class Property(NamedTuple):
+    """A property that is no parameter: a link, a result."""
+
+    type: str
+    name: str
+    group: str
+    doc: str
+    attributes: int = 0
+    default: Any = None
+
+
+def result(type_name: str, name: str, doc: str, hidden: bool = False) -> Property:
+    """Return a read-only property for a result; changing it does not make its object due for a recompute."""
+    return Property("App::Property" + type_name, name, "Results", doc, OUTPUT | READ_ONLY | (HIDDEN if hidden else 0))
+
+
+class Feature:
+    """Base of the proxies.
+
+    Subclasses name their parameter classes and properties, and fill in ``compute``. Nothing is kept in the proxy: data
+    live in properties, so that files stay readable whatever becomes of the code.
+    """
+
+    #: Word by which the window and the tests know the object; a file format.
+    Type: ClassVar[str] = ""
+    #: Parameter classes kept as properties.
+    PARAMETERS: ClassVar[Tuple[type, ...]] = ()
+    #: Further properties.
+    PROPERTIES: ClassVar[Tuple[Property, ...]] = ()
+    #: ``MIGRATIONS[n](obj)`` brings an object of schema n to schema n + 1.
+    MIGRATIONS: ClassVar[Dict[int, Callable[[Any], None]]] = {}
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy = self
+        self.add_properties(obj)
+        obj.SchemaVersion = SCHEMA_VERSION
+
+    def add_properties(self, obj: Any) -> None:
+        """Add the properties that the object lacks."""
+        common = (
+            Property(
+                "App::PropertyInteger", "SchemaVersion", "Base", "Version of the object", OUTPUT | READ_ONLY | HIDDEN
+            ),
+            result("String", "Status", "What the last recompute said"),
+        )
+        for one in common + self.PROPERTIES:
+            if not hasattr(obj, one.name):
+                obj.addProperty(one.type, one.name, one.group, one.doc, one.attributes)
+                if one.default is not None:
+                    setattr(obj, one.name, one.default)
+            elif one.type.endswith("Constraint"):
+                setattr(obj, one.name, (getattr(obj, one.name), *one.default[1:]))
+        for cls in self.PARAMETERS:
+            add_parameters(obj, cls)
+
+    def execute(self, obj: Any) -> None:
+        """Compute again. On an error the object keeps what it had, and ``Status`` and the report view say why."""
+        status = "error: the computation broke off; the report view says where"
+        try:
+            self.check_schema(obj)
+            status = self.compute(obj) or UP_TO_DATE
+        except TrabeculaError as error:
+            status = f"error: {error}"
+            FreeCAD.Console.PrintLog(traceback.format_exc())
+            raise error.with_traceback(None) from None  # the report view shows the sentence, not our way to it
+        finally:
+            obj.Status = status
+
+    def prepare(self, obj: Any, progress: Progress = silent) -> None:
+        """Compute what ``compute`` will find at hand, with progress; errors go to the caller."""
+
+    def compute(self, obj: Any) -> str:
+        """Compute and assign the results, last of all the shape; return the status, "" if there is nothing to say."""
+        raise NotImplementedError
+
+    def check_schema(self, obj: Any) -> None:
+        """Refuse an object made by a later version."""
+        if obj.SchemaVersion > SCHEMA_VERSION:
+            raise TrabeculaError(
+                f"{obj.Label} was made by a later version of Trabecula: its schema must be at most {SCHEMA_VERSION}, "
+                f"got {obj.SchemaVersion}; update Trabecula"
+            )
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Bring an object of an older version up to date, one step at a time."""
+        touched = "Touched" in obj.State
+        for version in range(obj.SchemaVersion, SCHEMA_VERSION):
+            self.MIGRATIONS[version](obj)
+            obj.SchemaVersion = version + 1
+        if obj.SchemaVersion <= SCHEMA_VERSION:
+            self.add_properties(obj)
+        if not touched:
+            obj.purgeTouched()  # limits were set again, nothing else
+        attach_view(obj)
+
+    # Nothing is kept in the proxy. FreeCAD 0.20 calls the second pair, later ones the first.
+    def dumps(self) -> None:
+        """Return the proxy's state: none."""
+        return None
+
+    def loads(self, state: Any) -> None:
+        """Take the proxy's state: none."""
+        return None
+
+    def __getstate__(self) -> None:
+        return None
+
+    def __setstate__(self, state: Any) -> None:
+        return None
+
+
+def attach_view(obj: Any) -> None:
+    """Give an object its view provider, if there is a window and it has none (made without one)."""
+    if FreeCAD.GuiUp and obj.ViewObject is not None and obj.ViewObject.Proxy in (None, 0):
+        from ..gui import view_providers
+
+        view_providers.attach(obj)
+
+
+def is_a(obj: Any, *types: Type[Feature]) -> bool:
+    """Return whether a document object is one of ours, of the given classes if any are given."""
+    return isinstance(getattr(obj, "Proxy", None), types or Feature)
+
+
+def lines_of(records: Sequence[Any]) -> List[str]:
+    """Return records as readable lines of JSON, one each, for a string-list property."""
+    return [json.dumps(to_record(record), ensure_ascii=False) for record in records]
+
+
+def records_of(lines: Sequence[str], cls: Type[T], what: str) -> Tuple[T, ...]:
+    """Return the checked records in the lines of a string-list property; empty lines are passed over.
+
+    Raises
+    ------
+    ParameterError
+        If a line is no JSON, or not a record of ``cls``; the message counts the lines from 1.
+    """
+    found = []
+    for number, line in enumerate(lines, 1):
+        if not line.strip():
+            continue
+        try:
+            record = json.loads(line)
+        except (ValueError, RecursionError) as error:
+            raise ParameterError(f"{what} {number} must be one JSON object, got {line!r:.80}: {error}") from error
+        found.append(from_record(cls, record, f"{what} {number}"))
+    return tuple(found)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sites of one face by curvilinear co-ordinates (thesis 4.2.2) in the document."""
+
+from __future__ import annotations
+
+from typing import Any, Dict
+
+from ..core.parameters import FaceParameters
+from ..core.progress import Progress, silent
+from ..errors import EnvelopeError
+from ..geometry.design import SitedFace, face_named, sites_shape
+from ..geometry.face_sites import face_sites
+from ..geometry.fingerprints import fingerprint
+from . import results
+from .base import Feature, Property, read_parameters, result
+from .envelope import solid_of
+
+
+class FaceSites(Feature):
+    """The sites of one face of any solid."""
+
+    Type = "Trabecula::FaceSites"
+    PARAMETERS = (FaceParameters,)
+    PROPERTIES = (
+        Property("App::PropertyLinkSub", "Face", "Base", "Face of the envelope"),
+        result("Integer", "Count", "Sites on the face"),
+    )
+
+    def parameters(self, obj: Any) -> FaceParameters:
+        """Return the checked parameters, the face's name taken from the link."""
+        names = obj.Face[1] if obj.Face else ()
+        if len(names) != 1:
+            raise EnvelopeError(f"{obj.Label} must be linked to 1 face, got {len(names)}")
+        return read_parameters(obj, FaceParameters, face=names[0])
+
+    def faces(self, obj: Any, progress: Progress = silent) -> Dict[str, SitedFace]:
+        """Return the face with its sites, before changes by hand, by label.
+
+        Raises
+        ------
+        EnvelopeError
+            If the face is no more.
+        """
+        parameters, shape = self.parameters(obj), solid_of(self.envelope(obj))
+        face = face_named(shape, parameters.face, f"{self.envelope(obj).Label}, on which {obj.Label} stands")
+        key = results.key_of("face sites", fingerprint(shape), parameters)
+        sites = results.found_or_made(
+            "sites", key, lambda: face_sites(face, parameters.label, parameters, progress=progress)
+        )
+        return {parameters.label: SitedFace(sites, face)}
+
+    def envelope(self, obj: Any) -> Any:
+        """Return the object on whose face the sites are."""
+        return obj.Face[0] if obj.Face else None
+
+    def prepare(self, obj: Any, progress: Progress = silent) -> None:
+        """Compute beforehand; errors go to the caller."""
+        self.faces(obj, progress)
+
+    def compute(self, obj: Any) -> str:
+        """Show the sites as points."""
+        faces = self.faces(obj)
+        obj.Count = sum(len(one.sites) for one in faces.values())
+        obj.Shape = sites_shape(faces)
+        return ""
