@@ -38,7 +38,7 @@ demo bench validate gallery: setup
 	@$(LATEST) $(PYTHON) tools/$*.py $(ARGS)
 
 lint:
-	@sh tools/ruff.sh check .
+	@sh tools/ruff.sh check --output-format concise .
 	@sh tools/ruff.sh format --check .
 	@$(PYTHON) tests/test_imports.py
 
