@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes, shapes and documents as files, whole or not at all.
 
-FreeCAD returns without a word when it wrote half a document because the disk was full (measured on 0.20.2 and 1.1.3). Every
-file is therefore written under another name, looked at, and then takes its own.
+FreeCAD returns without a word when it wrote half a document because the disk was full (measured on 0.20.2 and 1.1.3).
+Every file is therefore written under another name, looked at, and then takes its own.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import tempfile
 import zipfile
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Callable, Dict, Iterator, Sequence, Union
 
@@ -108,7 +108,7 @@ def _writer(path: PathLike, writers: Dict) -> Callable:
 
 @contextmanager
 def replacing(path: PathLike) -> Iterator[str]:
-    """Give the name of a new file in the same folder, which takes the name ``path`` when the ``with`` block has gone well.
+    """Give the name of a new file in the same folder; it takes the name ``path`` when the ``with`` block has gone well.
 
     For writers that want a name; ``stl.whole_file`` is for those that take an open file.
 
@@ -130,10 +130,8 @@ def replacing(path: PathLike) -> Iterator[str]:
         why = getattr(error, "strerror", None) or str(error)
         raise ExportError(f"{path} could not be written: {why}") from error
     finally:
-        try:
+        with suppress(OSError):  # renamed, or never made
             part.unlink()
-        except OSError:
-            pass  # renamed, or never made
 
 
 # ---------------------------------------------------------------------------------------------------- sizes beforehand
@@ -152,7 +150,7 @@ def estimate_mesh_size(kind: str, mesh: Mesh) -> int:
 
 
 def estimate_shape_size(kind: str, solids: Sequence[Part.Shape]) -> int:
-    """Return about how many bytes solids take together in a STEP, BREP or IGES file: from a few of them, which are written.
+    """Return about how many bytes solids take together in a STEP, BREP or IGES file; a few are written to find out.
 
     Parameters
     ----------

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangle meshes between the core and FreeCAD's mesh kernel.
 
-The kernel keeps single precision, and its ``Volume`` is summed in single precision too (2e-4 off for half a million triangles):
-volumes are taken from the core's mesh. PLY through memory carries 500,000 triangles in 0.1 s CPU with their vertices as numbered;
-tuples of vectors take ten times as long, STL forgets which triangles share a vertex.
+The kernel keeps single precision, and its ``Volume`` is summed in single precision too (2e-4 off for half a million
+triangles): volumes are taken from the core's mesh. PLY through memory carries 500,000 triangles in 0.1 s CPU with their
+vertices as numbered; tuples of vectors take ten times as long, STL forgets which triangles share a vertex.
 """
 
 from __future__ import annotations

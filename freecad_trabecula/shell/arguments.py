@@ -90,8 +90,8 @@ def _design_options(parser: argparse.ArgumentParser) -> None:
     source.add_argument(
         "--envelope",
         metavar="FILE",
-        help="STEP, IGES, BREP or STL file of the body to be filled, instead of the job's own; without faces of the job "
-        "or --couple, its faces that lie opposite each other are coupled",
+        help="STEP, IGES, BREP or STL file of the body to be filled, instead of the job's own; without faces of the "
+        "job or --couple, its faces that lie opposite each other are coupled",
     )
     source.add_argument(
         "--couple",

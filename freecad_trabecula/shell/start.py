@@ -49,9 +49,9 @@ class Session:
         self._temporary = ""
 
     def report(self, kind: str, **more: Any) -> None:
-        """Send a message: those of ``launch.Child``, or ``trace`` (``text``), ``temporary`` (``path``), ``end`` (``code``).
+        """Send a message: those that ``launch.Child`` hands on, or ``trace`` (``text``), ``end`` (``code``), ``temporary``.
 
-        A ``temporary`` folder vanishes when the process does.
+        ``temporary`` names in ``path`` a folder that is to vanish with the process.
 
         Raises
         ------
