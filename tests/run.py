@@ -185,7 +185,17 @@ def make_home(facts):
 def run_plain(files, choices, facts, environment, folder):
     """Run pytest on the plain tests; return their common outcome."""
     report, log = folder / "plain.xml", folder / "plain.log"
-    command = [sys.executable, "-m", "pytest", "-q", "-ra", "-p", "no:cacheprovider", "--junitxml=%s" % report]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-ra",
+        "-p",
+        "no:cacheprovider",
+        "--continue-on-collection-errors",
+        "--junitxml=%s" % report,
+    ]
     if choices.match:
         command += ["-k", choices.match]
     home = make_home(facts)

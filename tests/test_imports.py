@@ -115,7 +115,7 @@ def imports_of(source, module, is_package, modules):
             # "from . import sites" imports a module, "from .sites import Sites" a name in one.
             inside = [base + "." + alias.name for alias in node.names]
             names = [name if name in modules else base for name in inside]
-        elif isinstance(node, ast.Call) and called_name(node) in ("__import__", "import_module", "find_spec"):
+        elif isinstance(node, ast.Call) and called_name(node) in ("__import__", "import_module"):
             first = node.args[0] if node.args else None
             names = [first.value] if isinstance(first, ast.Constant) and isinstance(first.value, str) else []
         found.extend(Import(name, node.lineno, is_lazy, is_for_types) for name in names)
