@@ -236,15 +236,18 @@ def cycles(root):
 
 
 def test_every_module_imports_only_what_its_layer_may():
-    assert layer_breaches(ROOT) == []
+    found = layer_breaches(ROOT)
+    assert not found, "\n".join(found)
 
 
 def test_the_files_that_freecad_executes_at_its_start_import_next_to_nothing():
-    assert start_file_breaches(ROOT) == []
+    found = start_file_breaches(ROOT)
+    assert not found, "\n".join(found)
 
 
 def test_no_modules_import_each_other_in_a_circle():
-    assert cycles(ROOT) == []
+    found = cycles(ROOT)
+    assert not found, "\n".join(found)
 
 
 def planted(files):
