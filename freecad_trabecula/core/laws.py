@@ -87,6 +87,8 @@ class Law:
             raise ParameterError(f"a law must be one of {', '.join(KINDS)}, got {self.kind!r}")
         if not (math.isfinite(self.low) and math.isfinite(self.high)):
             raise ParameterError(f"a law's bounds must be finite numbers, got {self.low} and {self.high}")
+        if not all(math.isfinite(c) for c in self.direction):
+            raise ParameterError(f"the direction of a law must be three finite numbers, got {self.direction}")
         if self.kind in ("uniform", "normal", "expression") and self.low > self.high:
             raise ParameterError(f"a law's bounds must satisfy low <= high, got {self.low:g} and {self.high:g}")
         if self.kind == "linear" and not math.hypot(*self.direction) > 0:

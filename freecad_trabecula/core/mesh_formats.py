@@ -147,7 +147,7 @@ def _entry(name: str) -> zipfile.ZipInfo:
 
 
 def estimated_size(kind: str, mesh: Mesh) -> int:
-    """Return about how many bytes a mesh takes as ``stl``, ``ply`` (exactly), ``obj`` or ``3mf`` (by a sample of lines).
+    """Return about how many bytes a mesh takes as ``stl``, ``ply`` (exactly), ``obj`` or ``3mf`` (by a sample).
 
     Raises
     ------
