@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Dict, Tuple
+from typing import Dict, Tuple, Union
 
 import numpy as np
 
@@ -171,15 +171,17 @@ def default_deflection(mean_size: float) -> float:
     return mean_size / 50
 
 
-def rod_mesh(rods: Rods, beyond: float = 0.0) -> Tuple[np.ndarray, np.ndarray]:
+def rod_mesh(rods: Rods, beyond: Union[float, np.ndarray] = 0.0) -> Tuple[np.ndarray, np.ndarray]:
     """Return closed triangle meshes of all rods: vertices (R, V, 3), mm, and the triangles (T, 3) that each has.
 
-    ``beyond`` > 0 prolongs each rod by that distance, measured across its end planes, so that caps never lie in faces.
+    ``beyond`` > 0 prolongs each rod by that distance, measured across its end planes, so that caps never lie in faces;
+    an array (R, 2) gives each end a distance of its own.
     """
     rings, centres = rods.rings, rods.stations.centres
     ends = [centres[:, 0], centres[:, -1]]
-    if beyond:
-        shifts = [_prolongation(rods, 0, -beyond), _prolongation(rods, -1, beyond)]
+    if np.any(beyond):
+        reach = np.broadcast_to(beyond, (len(rods), 2))
+        shifts = [_prolongation(rods, 0, -reach[:, :1]), _prolongation(rods, -1, reach[:, 1:])]
         rings = np.concatenate(
             [rings[:, :1] + shifts[0][:, None, None], rings, rings[:, -1:] + shifts[1][:, None, None]], 1
         )
@@ -189,7 +191,7 @@ def rod_mesh(rods: Rods, beyond: float = 0.0) -> Tuple[np.ndarray, np.ndarray]:
     return vertices, _grid_triangles(k, m)
 
 
-def _prolongation(rods: Rods, end: int, distance: float) -> np.ndarray:
+def _prolongation(rods: Rods, end: int, distance: np.ndarray) -> np.ndarray:
     tangent, normal = rods.stations.tangents[:, end], rods.frames[:, end, 2]
     slope = (tangent * normal).sum(-1, keepdims=True).clip(FLAT, 1)
     return distance / slope * tangent
@@ -213,7 +215,7 @@ def rod_volumes(rods: Rods) -> np.ndarray:
     return np.einsum("rti,rti->r", a, np.cross(b, c)) / 6
 
 
-def rod_triangles(rods: Rods, beyond: float = 0.0) -> np.ndarray:
+def rod_triangles(rods: Rods, beyond: Union[float, np.ndarray] = 0.0) -> np.ndarray:
     """Return the triangles of all rods, ndarray (R * T, 3, 3), mm."""
     vertices, triangles = rod_mesh(rods, beyond)
     return vertices[:, triangles].reshape(-1, 3, 3)
