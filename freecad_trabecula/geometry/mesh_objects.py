@@ -12,8 +12,8 @@ import io
 import tempfile
 from pathlib import Path
 
-import FreeCAD
 import Mesh
+import numpy as np
 
 from ..core import meshes
 from ..core.mesh_formats import mesh_from_ply, ply_bytes
@@ -57,13 +57,8 @@ def core_mesh(mesh: Mesh.Mesh) -> meshes.Mesh:
         If the kernel wrote what cannot be read.
     """
     if not mesh.CountFacets:
-        return meshes.Mesh([], [])
-    unplaced = mesh
-    if not mesh.Placement.isIdentity():
-        unplaced = mesh.copy()
-        unplaced.Placement = FreeCAD.Placement()
+        return meshes.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int))
     with tempfile.TemporaryDirectory(prefix="trabecula-") as folder:
         path = Path(folder) / "mesh.ply"  # writing to a stream loses the first kilobytes (0.20.2 and 1.1.3)
-        unplaced.write(str(path))
-        result = mesh_from_ply(path.read_bytes())
-    return result
+        mesh.write(str(path))
+        return mesh_from_ply(path.read_bytes())
