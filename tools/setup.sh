@@ -22,9 +22,14 @@ as_root() {
     elif command -v sudo >/dev/null; then
         sudo "$@"
     else
-        die "needs root, or sudo, to install:$missing"
+        printf '%s\n' "needs root, or sudo" >&2
+        return 1
     fi
 }
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+trap 'exit 130' INT TERM HUP
 
 is_installed() {
     case $(dpkg-query -W -f='${Status}' "$1" 2>/dev/null || true) in
@@ -39,11 +44,17 @@ install_missing() {
         is_installed "$package" || missing="$missing $package"
     done
     [ -n "$missing" ] || return 0
-    say "installing by apt:$missing"
-    as_root apt-get update -q </dev/null
+    say "installing by apt (FreeCAD takes a few minutes):$missing"
+    # Thousands of lines that nobody reads, unless it fails.
     # shellcheck disable=SC2086  # the packages are words
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
-        -o DPkg::Lock::Timeout=300 $missing </dev/null
+    {
+        as_root apt-get update -q </dev/null &&
+            as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+                -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 $missing </dev/null
+    } >"$folder/log" 2>&1 || {
+        tail -n 30 "$folder/log" >&2
+        die "apt could not install:$missing"
+    }
 }
 
 if command -v dpkg-query >/dev/null; then
@@ -59,9 +70,6 @@ else
     done
 fi
 
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-trap 'exit 130' INT TERM HUP
 TRABECULA_FACTS=$folder/facts.json freecadcmd "$here/freecad_facts.py" >"$folder/log" 2>&1 </dev/null || {
     cat "$folder/log" >&2
     die "freecadcmd does not run"

@@ -134,9 +134,14 @@ def study(name, title):
     inside = exact_union_volume(*rod_mesh(rods, 0.25 * job.pores.size.high), inside=envelope.mesh)
     thesis = THESIS[name]
     faces = [(f.label, f.face, f.c_u, f.c_v, f.b_u, f.b_v, len(made.sites[f.label])) for f in job.faces]
-    rows = [(r.first, r.second, r.available_first, r.available_second, r.rods, r.left_first, r.left_second) for r in made.rows]
+    rows = [
+        (r.first, r.second, r.available_first, r.available_second, r.rods, r.left_first, r.left_second)
+        for r in made.rows
+    ]
     remedies = sorted({(r.fault, r.remedy) for r in made.recoveries})
-    counts = ", ".join(f"{f} by {m}: {sum((r.fault, r.remedy) == (f, m) for r in made.recoveries)}" for f, m in remedies)
+    counts = ", ".join(
+        f"{f} by {m}: {sum((r.fault, r.remedy) == (f, m) for r in made.recoveries)}" for f, m in remedies
+    )
     outputs = [
         ("rods", len(made), thesis.rods),
         ("porosity %", f"{100 * inside / envelope.volume:.2f}", thesis.porosity),
@@ -185,7 +190,9 @@ def main(arguments):
         study("cranial", "Section 4.3.1: the craniofacial plate (tables 4.1 to 4.3)"),
         study("femur", "Section 4.3.2: the metaphysis (tables 4.4 to 4.6)"),
     ]
-    page = f"# The thesis' figures beside ours\n\nMade by `make validate` on FreeCAD {version}.\n\n" + "\n".join(p for p, _ in parts)
+    page = f"# The thesis' figures beside ours\n\nMade by `make validate` on FreeCAD {version}.\n\n" + "\n".join(
+        p for p, _ in parts
+    )
     path = Path(options.page or ROOT / "build" / "validate" / f"{version}.md")
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(page, encoding="utf-8")
