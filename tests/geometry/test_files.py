@@ -233,12 +233,13 @@ class FailuresTest(FilesTest):
         self.assertEqual(self.names(), [])
 
     def test_a_read_only_folder_is_said(self):
+        writers = list(self.writers())
         self.folder.chmod(0o555)
         self.addCleanup(self.folder.chmod, 0o700)
         if os.geteuid() == 0:  # the superuser may write everywhere
             os.seteuid(65534)
             self.addCleanup(os.seteuid, 0)
-        for name, write in self.writers():
+        for name, write in writers:
             with self.subTest(name=name), self.assertRaisesRegex(ExportError, "could not be written"):
                 write(self.folder / name)
 
