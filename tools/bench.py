@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Our time beside a rival's on the same work, in one run (``make bench``): CPU seconds and peak memory, a page in build/bench/.
+"""Our time beside a rival's on the same work, in one run (``make bench``): CPU seconds and peak memory.
 
-Every piece runs in a process of its own under FreeCAD, ours and the rival's in turn. ``ARGS="--only scaffold field"`` chooses
-pieces, ``ARGS=--growth`` measures how time and memory grow with the rods and draws docs/pictures/growth.png.
+Every piece runs in a process of its own under FreeCAD, ours and the rival's in turn; the page is build/bench/bench.md.
+``ARGS="--only scaffold field"`` chooses pieces, ``ARGS=--growth`` measures how time and memory grow with the rods and
+draws docs/pictures/growth.png.
 """
 
 import argparse
@@ -64,7 +65,7 @@ def solids_ours():
         import Part
 
         network = document.addObject("Part::Feature", "Network")
-        network.Shape = Part.makeCompound([r for r in rod_solids(skin(made, job.rods, job.rods.stations))])
+        network.Shape = Part.makeCompound(list(rod_solids(skin(made, job.rods, job.rods.stations))))
         document.recompute()
         return network.Shape
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One seed, one result on every version: write what a FreeCAD draws, or compare what two of them wrote.
 
-``python3 tools/same_seed.py write FILE.npz`` (runs under FreeCAD; FREECADCMD chooses which) designs case 6, a rods' network on
-faces at right angles, laws of every kind and both anatomical implants; ``python3 tools/same_seed.py compare A.npz B.npz`` wants
-the same draws, pairs and recoveries exactly, co-ordinates within 1e-9 mm and mesh volumes within 1e-6.
+``python3 tools/same_seed.py write FILE.npz`` (runs under FreeCAD; FREECADCMD chooses which) designs every preset, a
+network on faces at right angles and laws of every kind; ``python3 tools/same_seed.py compare A.npz B.npz`` wants the
+same draws, pairs and recoveries exactly, co-ordinates within 1e-9 mm and mesh volumes within 1e-6.
 """
 
 import dataclasses
