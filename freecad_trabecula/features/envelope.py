@@ -3,26 +3,57 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple, Tuple
 
 import Part
 
 from ..errors import EnvelopeError
+from ..geometry.envelopes import Envelope, envelope_from_shape
+from ..geometry.fingerprints import fingerprint
+from . import results
+
+#: Properties of an envelope made from a file: where it came from, so that its job can be saved.
+SOURCE_FILE, SOURCE_SOLID = "SourceFile", "SourceSolid"
 
 
-def solid_of(obj: Any) -> Part.Shape:
-    """Return the shape of an envelope object, placed in the document.
+class Body(NamedTuple):
+    """An envelope and the fingerprint of the shape that it is made of."""
+
+    envelope: Envelope
+    mark: str
+
+
+def envelope_of(obj: Any) -> Body:
+    """Return the envelope that a document object is, placed in the document.
 
     Raises
     ------
     EnvelopeError
-        If there is no object, or its shape is not one closed solid.
+        If there is no object, or its shape is not one closed solid that can be filled.
     """
     shape = getattr(obj, "Shape", None)
     if shape is None or shape.isNull():
         raise EnvelopeError(f"an envelope must have a shape, got {obj.Label + ' without one' if obj else 'nothing'}")
-    if len(shape.Solids) != 1:
-        raise EnvelopeError(
-            f"an envelope must be 1 closed solid, got {len(shape.Solids)} in {obj.Label} ({shape.ShapeType})"
-        )
-    return shape
+    try:
+        return checked_envelope(shape)
+    except EnvelopeError as error:
+        raise EnvelopeError(f"{obj.Label}: {error}") from error
+
+
+def checked_envelope(shape: Part.Shape) -> Body:
+    """Return the envelope of a shape, checked once."""
+    mark = fingerprint(shape)
+    return Body(results.found_or_made("envelope", mark, lambda: envelope_from_shape(shape)), mark)
+
+
+def source_of(obj: Any) -> Tuple[str, str]:
+    """Return file and solid from which an envelope was made; empty if it was not."""
+    return getattr(obj, SOURCE_FILE, ""), getattr(obj, SOURCE_SOLID, "")
+
+
+def set_source(obj: Any, file: str, solid: str) -> None:
+    """Note file and solid from which an envelope was made."""
+    for name, value, doc in ((SOURCE_FILE, file, "File"), (SOURCE_SOLID, solid, "Solid in that file")):
+        if not hasattr(obj, name):
+            obj.addProperty("App::PropertyString", name, "Base", f"{doc} from which the envelope was made")
+        setattr(obj, name, value)

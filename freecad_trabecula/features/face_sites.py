@@ -5,15 +5,25 @@ from __future__ import annotations
 
 from typing import Any, Dict
 
+import Part
+
 from ..core.parameters import FaceParameters
 from ..core.progress import Progress, silent
+from ..core.sites import Sites
 from ..errors import EnvelopeError
-from ..geometry.design import SitedFace, face_named, sites_shape
+from ..geometry.design import SitedFace, sites_shape
 from ..geometry.face_sites import face_sites
-from ..geometry.fingerprints import fingerprint
 from . import results
 from .base import Feature, Property, read_parameters, result
-from .envelope import solid_of
+from .envelope import envelope_of
+
+
+def sites_on(face: Part.Face, envelope: str, parameters: FaceParameters, progress: Progress = silent) -> Sites:
+    """Return the sites on a face of the envelope with that fingerprint, computed if they are not at hand."""
+    key = results.key_of("face sites", envelope, parameters)
+    return results.found_or_made(
+        "sites", key, lambda: face_sites(face, parameters.label, parameters, progress=progress)
+    )
 
 
 class FaceSites(Feature):
@@ -41,13 +51,13 @@ class FaceSites(Feature):
         EnvelopeError
             If the face is no more.
         """
-        parameters, shape = self.parameters(obj), solid_of(self.envelope(obj))
-        face = face_named(shape, parameters.face, f"{self.envelope(obj).Label}, on which {obj.Label} stands")
-        key = results.key_of("face sites", fingerprint(shape), parameters)
-        sites = results.found_or_made(
-            "sites", key, lambda: face_sites(face, parameters.label, parameters, progress=progress)
-        )
-        return {parameters.label: SitedFace(sites, face)}
+        parameters, owner = self.parameters(obj), self.envelope(obj)
+        body = envelope_of(owner)
+        try:
+            face = body.envelope.face(parameters.face)
+        except EnvelopeError as error:
+            raise EnvelopeError(f"{obj.Label} lost its face of {owner.Label}, choose another: {error}") from error
+        return {parameters.label: SitedFace(sites_on(face, body.mark, parameters, progress), face)}
 
     def envelope(self, obj: Any) -> Any:
         """Return the object on whose face the sites are."""

@@ -10,7 +10,7 @@ from ..core.progress import Progress, silent
 from ..errors import EnvelopeError
 from ..geometry.design import SitedFace, placed_prism_sites, sites_shape
 from .base import Feature, Property, read_parameters, result
-from .envelope import solid_of
+from .envelope import envelope_of
 
 
 class PrismSites(Feature):
@@ -33,7 +33,7 @@ class PrismSites(Feature):
 
     def faces(self, obj: Any, progress: Progress = silent) -> Dict[str, SitedFace]:
         """Return the faces with their sites, before changes by hand."""
-        return placed_prism_sites(self.parameters(obj), solid_of(obj.Box))
+        return placed_prism_sites(self.parameters(obj), envelope_of(obj.Box).envelope)
 
     def envelope(self, obj: Any) -> Any:
         """Return the object on whose faces the sites are."""

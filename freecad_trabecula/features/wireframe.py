@@ -6,18 +6,17 @@ from __future__ import annotations
 from typing import Any, Dict, NamedTuple, Sequence, Tuple
 
 import numpy as np
-import Part
 
 from ..core import wireframe as core
 from ..core.parameters import LARGEST_SEED, Coupling, PathParameters, PoreParameters, RodParameters, SiteEdit
 from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
 from ..errors import EnvelopeError, ParameterError
-from ..geometry.design import SitedFace, container, design_wireframe, pore_warnings, region_of, wires_shape
-from ..geometry.fingerprints import fingerprint
+from ..geometry.design import SitedFace, design_wireframe, pore_warnings, wires_shape
+from ..geometry.envelopes import Envelope
 from . import results
 from .base import Feature, Property, lines_of, read_parameters, records_of, result
-from .envelope import solid_of
+from .envelope import envelope_of
 
 _SEEDS = (1, 0, LARGEST_SEED, 1)  # value, least, greatest, step
 
@@ -25,7 +24,7 @@ _SEEDS = (1, 0, LARGEST_SEED, 1)  # value, least, greatest, step
 class Inputs(NamedTuple):
     """All that a wireframe depends on."""
 
-    envelope: Part.Shape
+    envelope: Envelope
     faces: Dict[str, SitedFace]
     parameters: WireframeParameters
     key: str
@@ -84,7 +83,7 @@ class Wireframe(Feature):
         ParameterError
             If a value is refused, or two faces have one name.
         """
-        envelope, parameters = solid_of(obj.Envelope), self.parameters(obj)
+        body, parameters = envelope_of(obj.Envelope), self.parameters(obj)
         faces: Dict[str, SitedFace] = {}
         chosen = []
         for sites in obj.Sites:
@@ -99,20 +98,11 @@ class Wireframe(Feature):
                 if label in faces:
                     raise ParameterError(f"every face must be named once, got {label!r} again in {sites.Label}")
                 faces[label] = one
-        return Inputs(envelope, faces, parameters, wireframe_key(fingerprint(envelope), chosen, parameters))
+        return Inputs(body.envelope, faces, parameters, wireframe_key(body.mark, chosen, parameters))
 
     def wireframe(self, obj: Any, progress: Progress = silent) -> core.Wireframe:
         """Return the wireframe, computed if it is not at hand."""
-        return self.made(self.inputs(obj, progress), progress)
-
-    def made(self, inputs: Inputs, progress: Progress = silent) -> core.Wireframe:
-        """Return the wireframe of inputs."""
-        region = region_of(inputs.envelope)
-        return results.found_or_made(
-            "wireframe",
-            inputs.key,
-            lambda: design_wireframe(inputs.parameters, inputs.faces, region, container(inputs.envelope), progress),
-        )
+        return made(self.inputs(obj, progress), progress)
 
     def prepare(self, obj: Any, progress: Progress = silent) -> None:
         """Compute beforehand; errors go to the caller."""
@@ -121,7 +111,7 @@ class Wireframe(Feature):
     def compute(self, obj: Any) -> str:
         """Make the wireframe and show it."""
         inputs = self.inputs(obj)
-        wireframe = self.made(inputs)
+        wireframe = made(inputs)
         shape = wires_shape(wireframe)
         obj.Rods = len(wireframe)
         obj.CouplingTable = lines_of(wireframe.rows)
@@ -131,6 +121,15 @@ class Wireframe(Feature):
         obj.PoreSizes, obj.PoreAreas = sections(wireframe)
         obj.Shape = shape
         return said(wireframe, obj.Warnings)
+
+
+def made(inputs: Inputs, progress: Progress = silent) -> core.Wireframe:
+    """Return the wireframe of inputs, computed if it is not at hand."""
+    return results.found_or_made(
+        "wireframe",
+        inputs.key,
+        lambda: design_wireframe(inputs.parameters, inputs.envelope, inputs.faces, progress),
+    )
 
 
 def wireframe_key(envelope: str, sites: Sequence[Any], parameters: WireframeParameters) -> str:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import FreeCAD
 import numpy as np
@@ -12,14 +12,16 @@ import Part
 
 from ..core.assembly import make_wireframe
 from ..core.job import Job, check_rods
-from ..core.laws import Region
 from ..core.parameters import PrismParameters, SiteEdit
 from ..core.progress import Progress, part, silent
 from ..core.sites import Sites, edit_sites, overlapping_pairs, prism_sites
-from ..core.wireframe import Contains, Wireframe, WireframeParameters
-from ..errors import EnvelopeError, KernelError, ParameterError
+from ..core.wireframe import Wireframe, WireframeParameters
+from ..errors import ParameterError
+from .envelopes import Envelope, box_envelope, load_envelope
 from .face_sites import face_sites, pick_site
 from .vectors import point_array, vectors
+
+_BORDER_DEFLECTION = 0.01  # mm, far below any pore
 
 
 class SitedFace(NamedTuple):
@@ -30,10 +32,9 @@ class SitedFace(NamedTuple):
 
 
 class Design(NamedTuple):
-    """What comes before rods: envelope, its region, faces with sites by label, wireframe."""
+    """What comes before rods: envelope, faces with sites by label, wireframe."""
 
-    envelope: Part.Shape
-    region: Region
+    envelope: Envelope
     faces: Dict[str, SitedFace]
     wireframe: Wireframe
 
@@ -41,25 +42,27 @@ class Design(NamedTuple):
 # -------------------------------------------------------------------------------------------------------- the parts
 
 
-def prism_solid(prism: PrismParameters, placement: Optional[FreeCAD.Placement] = None) -> Part.Shape:
-    """Return a prism as a solid, its faces in the order of ``PRISM_FACES``."""
-    try:
-        solid = Part.makeBox(prism.l, prism.w, prism.h)
-    except (Part.OCCError, ValueError) as error:
-        raise KernelError(f"the kernel made no prism of {prism.l:g} x {prism.w:g} x {prism.h:g} mm: {error}") from error
-    if placement is not None:
-        solid.Placement = placement
-    return solid
+def job_envelope(job: Job) -> Envelope:
+    """Return the envelope of a job: its prism, or the solid in its file.
+
+    Raises
+    ------
+    EnvelopeError, ExportError
+        If the file holds none, or cannot be read.
+    """
+    if job.prism is not None:
+        return box_envelope(job.prism.l, job.prism.w, job.prism.h)
+    return load_envelope(job.envelope, job.solid)
 
 
-def placed_prism_sites(prism: PrismParameters, solid: Part.Shape) -> Dict[str, SitedFace]:
+def placed_prism_sites(prism: PrismParameters, envelope: Envelope) -> Dict[str, SitedFace]:
     """Return the sites of a prism (Eq. 2.1) where its solid is placed, by face name."""
-    turn, shift = _motion(solid.Placement)
+    turn, shift = _motion(envelope.solid.Placement)
     faces = {}
     for name, sites in prism_sites(prism).items():
         points = sites.points @ turn.T + shift
         placed = replace(sites, points=points, u=sites.u @ turn.T, normals=sites.normals @ turn.T)
-        faces[name] = SitedFace(placed, face_named(solid, name, "the prism"))
+        faces[name] = SitedFace(placed, envelope.face(name))
     return faces
 
 
@@ -69,22 +72,27 @@ def _motion(placement: FreeCAD.Placement) -> Tuple[np.ndarray, np.ndarray]:
     return a[:3, :3], a[:3, 3]
 
 
-def face_named(shape: Part.Shape, name: str, owner: str = "the envelope") -> Part.Face:
-    """Return a face of a shape by FreeCAD's name of it.
+def job_faces(job: Job, envelope: Envelope, progress: Progress = silent) -> Dict[str, SitedFace]:
+    """Return the faces of a job's envelope with their sites, by label.
 
     Raises
     ------
     EnvelopeError
-        If there is no such face.
+        If a face is not there.
+    ParameterError
+        As ``face_sites`` says.
     """
-    count = len(shape.Faces)
-    number = name[4:] if name.startswith("Face") else ""
-    if not number.isdigit() or not 1 <= int(number) <= count:
-        raise EnvelopeError(f"a face must be one of Face1..Face{count} of {owner}, got {name!r}")
-    return shape.Faces[int(number) - 1]
+    if not job.faces and job.prism is not None:
+        return placed_prism_sites(job.prism, envelope)
+    found = {}
+    for done, one in enumerate(job.faces):
+        progress(done, len(job.faces), f"sites on {one.label}")
+        face = envelope.face(one.face)
+        found[one.label] = SitedFace(face_sites(face, one.label, one), face)
+    return found
 
 
-def faces_with_edits(faces: Dict[str, SitedFace], edits: Sequence[SiteEdit]) -> Dict[str, Sites]:
+def edited(faces: Dict[str, SitedFace], edits: Sequence[SiteEdit]) -> Dict[str, Sites]:
     """Return the sites of all faces, by label, with the changes made by hand.
 
     Raises
@@ -109,85 +117,40 @@ def faces_with_edits(faces: Dict[str, SitedFace], edits: Sequence[SiteEdit]) -> 
 # ------------------------------------------------------------------------------------------------------- the design
 
 
-def design_faces(job: Job, envelope: Part.Shape, progress: Progress = silent) -> Dict[str, SitedFace]:
-    """Return the faces of a job's envelope with their sites, by label.
-
-    Raises
-    ------
-    EnvelopeError
-        If a face is not there.
-    ParameterError
-        As ``face_sites`` says.
-    """
-    if not job.faces:
-        return placed_prism_sites(job.prism, envelope)
-    found = {}
-    for done, one in enumerate(job.faces):
-        progress(done, len(job.faces), f"sites on {one.label}")
-        face = face_named(envelope, one.face)
-        found[one.label] = SitedFace(face_sites(face, one.label, one), face)
-    return found
-
-
 def design_wireframe(
-    parameters: WireframeParameters,
-    faces: Dict[str, SitedFace],
-    region: Region,
-    contains: Optional[Contains],
-    progress: Progress = silent,
+    parameters: WireframeParameters, envelope: Envelope, faces: Dict[str, SitedFace], progress: Progress = silent
 ) -> Wireframe:
-    """Return the mended wireframe of faces with sites.
+    """Return the mended wireframe of an envelope whose faces have sites.
 
     Raises
     ------
     ParameterError
         If a coupling or a change by hand cannot be made, or the rods are too many.
     """
-    sites = faces_with_edits(faces, parameters.edits)
-    most = [min(int(sites[c.first].on.sum()), int(sites[c.second].on.sum())) for c in parameters.couplings
-            if c.on and c.first in sites and c.second in sites]  # fmt: skip
-    check_rods(sum(most))
-    return make_wireframe(parameters, sites, region, contains, progress)
+    sites = edited(faces, parameters.edits)
+    on = {label: int(one.on.sum()) for label, one in sites.items()}
+    check_rods(sum(min(on.get(c.first, 0), on.get(c.second, 0)) for c in parameters.couplings if c.on))
+    return make_wireframe(parameters, sites, envelope.region, envelope.contains, progress)
 
 
-def make_design(job: Job, envelope: Part.Shape, progress: Progress = silent) -> Design:
-    """Return the design of a job in an envelope that was made or loaded before."""
-    faces = design_faces(job, envelope, part(progress, 0.0, 0.5))
-    region = region_of(envelope)
-    wireframe = design_wireframe(job.wireframe, faces, region, container(envelope), part(progress, 0.5, 1.0))
-    return Design(envelope, region, faces, wireframe)
+def make_design(job: Job, progress: Progress = silent) -> Design:
+    """Return the design of a job.
 
+    Raises
+    ------
+    TrabeculaError
+        If a step fails.
 
-def region_of(shape: Part.Shape) -> Region:
-    """Return the box and the centre of a solid."""
-    box, centre = shape.BoundBox, shape.CenterOfMass
-    return Region((box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax), tuple(centre))
-
-
-def container(shape: Part.Shape) -> Contains:
-    """Return the function that tells which points (P, 3), mm, lie in a solid."""
-    box = _as_box(shape)
-    if box is not None:
-        return box
-    raise NotImplementedError
-
-
-_ROUNDING = 1e-9  # mm; points of a prism's own faces are inside
-
-
-def _as_box(shape: Part.Shape) -> Optional[Contains]:
-    """The test of a rectangular solid, if the shape is one: six plane faces, all right angles."""
-    faces = shape.Faces
-    if len(faces) != 6 or len(shape.Vertexes) != 8 or not all(isinstance(f.Surface, Part.Plane) for f in faces):
-        return None
-    normals = point_array([f.Surface.Axis for f in faces])
-    cosines = np.abs(normals @ normals.T)
-    if not ((cosines < 1e-9) | (cosines > 1 - 1e-9)).all():
-        return None
-    corners = point_array([f.Vertexes[0].Point for f in faces])
-    normals *= np.sign((normals * (corners - np.array(shape.CenterOfMass))).sum(1))[:, None]
-    heights = (normals * corners).sum(1)
-    return lambda points: (points @ normals.T <= heights + _ROUNDING).all(1)
+    Examples
+    --------
+    >>> from freecad_trabecula.core.presets import preset
+    >>> len(make_design(preset("case6")).wireframe)
+    147
+    """
+    progress(0.0, 1.0, "envelope")
+    envelope = job_envelope(job)
+    faces = job_faces(job, envelope, part(progress, 0.2, 0.6))
+    return Design(envelope, faces, design_wireframe(job.wireframe, envelope, faces, part(progress, 0.6, 1.0)))
 
 
 # ----------------------------------------------------------------------------------------------------- the warnings
@@ -231,7 +194,7 @@ def border_distances(face: Part.Face, points: np.ndarray) -> np.ndarray:
     return least
 
 
-_BORDER_DEFLECTION = 0.01  # mm, far below any pore
+# ------------------------------------------------------------------------------------------------------- to be seen
 
 
 def sites_shape(faces: Dict[str, SitedFace]) -> Part.Shape:

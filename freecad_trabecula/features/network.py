@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The network in the document: a compound of the rods' solids; only those whose inputs changed are built again."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import replace
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+import numpy as np
+import Part
+
+from ..core import wireframe as core
+from ..core.parameters import RodParameters
+from ..core.progress import Progress, silent
+from ..core.rods import rod_volumes
+from ..errors import KernelError, ParameterError
+from .base import is_a, result
+from .on_demand import OnDemand, on_demand
+from .wireframe import Wireframe
+
+MOST_DIFFERENCE = 2e-3  # of a rod's volume, B-Rep against mesh: tessellation (issue: 0.2 %)
+
+
+class Rods(NamedTuple):
+    """The solids of a network: keys and names (R), one compound, volumes (R,) of solids and of meshes, mm3."""
+
+    keys: Tuple[str, ...]
+    names: Tuple[str, ...]
+    compound: Part.Shape
+    volumes: np.ndarray
+    mesh_volumes: np.ndarray
+
+
+class Network(OnDemand):
+    """All rods of a wireframe as solids."""
+
+    Type = "Trabecula::Network"
+    KIND = "network"
+    PROPERTIES = (
+        *on_demand(True),
+        result("Integer", "Rods", "Number of rods"),
+        result("Integer", "Rebuilt", "Rods that the last recompute built or took anew"),
+        result("Volume", "RodVolume", "Sum of the solids' volumes; overlaps count twice"),
+        result("Volume", "MeshVolume", "Sum of the volumes of the rods' meshes: the independent route"),
+        result("Float", "Difference", "Difference between both volumes, %"),
+        result("Float", "LargestDifference", "Largest difference of one rod, %"),
+        result("StringList", "RodKeys", "Hash of the numbers of each rod", hidden=True),
+        result("StringList", "RodNames", "Names of the rods in the order of the solids", hidden=True),
+        result("FloatList", "RodVolumes", "Volumes of the solids, mm^3", hidden=True),
+    )
+
+    def key(self, obj: Any) -> str:
+        """Return the key of the present inputs: the wireframe's."""
+        owner = wireframe_object(obj)
+        return owner.Proxy.inputs(owner).key
+
+    def make(self, obj: Any, progress: Progress) -> Rods:
+        """Build the rods that the object does not have."""
+        owner = wireframe_object(obj)
+        wireframe = owner.Proxy.wireframe(owner)
+        return build(wireframe, owner.Proxy.parameters(owner).rods, kept_rods(obj), progress)
+
+    def show(self, obj: Any, value: Rods) -> None:
+        """Check the volumes and show the solids."""
+        check(value)
+        old = set(obj.RodKeys)
+        obj.Rebuilt = sum(key not in old for key in value.keys)
+        total, mesh_total = float(value.volumes.sum()), float(value.mesh_volumes.sum())
+        obj.Rods, obj.RodVolume, obj.MeshVolume = len(value.keys), total, mesh_total
+        obj.Difference = 100 * abs(total - mesh_total) / max(mesh_total, 1e-300)
+        obj.LargestDifference = 100 * float(differences(value).max(initial=0.0))
+        obj.RodKeys, obj.RodNames, obj.RodVolumes = list(value.keys), list(value.names), value.volumes.tolist()
+        obj.Shape = value.compound
+
+    def said(self, obj: Any) -> str:
+        """Return rods and volume."""
+        return f"{obj.Rods} rods, {obj.RodVolume.Value:.4g} mm^3 with overlaps"
+
+
+def wireframe_object(obj: Any) -> Any:
+    """Return the wireframe object of a network or a scaffold.
+
+    Raises
+    ------
+    ParameterError
+        If there is none.
+    """
+    if not is_a(obj.Wireframe, Wireframe):
+        raise ParameterError(
+            f"{obj.Label} must be linked to a wireframe, got {getattr(obj.Wireframe, 'Label', 'nothing')}"
+        )
+    return obj.Wireframe
+
+
+def kept_rods(obj: Any) -> Dict[str, Tuple[Part.Shape, float]]:
+    """Return the solids that an object shows, with their volumes, by key; also after its file was opened again."""
+    solids, keys, volumes = obj.Shape.Solids, obj.RodKeys, obj.RodVolumes
+    if not len(solids) == len(keys) == len(volumes):
+        return {}
+    return dict(zip(keys, zip(solids, volumes)))
+
+
+def build(
+    wireframe: core.Wireframe,
+    parameters: RodParameters,
+    kept: Optional[Dict[str, Tuple[Part.Shape, float]]] = None,
+    progress: Progress = silent,
+) -> Rods:
+    """Return the solids of all rods of a wireframe.
+
+    Parameters
+    ----------
+    wireframe : Wireframe
+    parameters : RodParameters
+    kept : dict, optional
+        Solids and volumes by key, which are not built again.
+    progress : callable
+
+    Raises
+    ------
+    KernelError
+        If a rod cannot be built.
+    """
+    from ..geometry.rod_solids import rod_solids
+
+    keys, kept = rod_keys(wireframe, parameters), kept or {}
+    missing = [k for k, key in enumerate(keys) if key not in kept]
+    solids: List[Any] = [kept[key][0] if key in kept else None for key in keys]
+    volumes = np.array([kept[key][1] if key in kept else 0.0 for key in keys])
+    some = core.without(wireframe, np.array(missing, int))
+    for k, solid in zip(missing, rod_solids(some, parameters, progress)):
+        solids[k], volumes[k] = solid, solid.Volume
+    mesh_volumes = rod_volumes(core.skin(wireframe, replace(parameters, deflection=0.0)))  # 0: fine for the pores' size
+    return Rods(tuple(keys), wireframe.names, Part.makeCompound(solids), volumes, mesh_volumes)
+
+
+def rod_keys(wireframe: core.Wireframe, parameters: RodParameters) -> List[str]:
+    """Return a hash for each rod of all that its solid depends on."""
+    more, keys = f" {parameters.stations}", wireframe.keys()
+    return [hashlib.blake2b((key + more).encode(), digest_size=12).hexdigest() for key in keys]
+
+
+def differences(rods: Rods) -> np.ndarray:
+    """Return the relative differences (R,) between the volumes of solids and of meshes."""
+    return np.abs(rods.volumes - rods.mesh_volumes) / np.maximum(rods.mesh_volumes, 1e-300)
+
+
+def check(rods: Rods) -> None:
+    """Refuse solids whose volumes the meshes contradict.
+
+    Raises
+    ------
+    KernelError
+        With the name of the worst rod.
+    """
+    off = differences(rods)
+    if (off > MOST_DIFFERENCE).any():
+        worst = int(off.argmax())
+        raise KernelError(
+            f"solid and mesh of a rod must agree within {100 * MOST_DIFFERENCE:g} % of its volume, got "
+            f"{rods.volumes[worst]:.6g} and {rods.mesh_volumes[worst]:.6g} mm^3 for rod {rods.names[worst]} and "
+            f"{int((off > MOST_DIFFERENCE).sum())} such rods in all"
+        )

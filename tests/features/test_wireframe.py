@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The wireframe in the document: it follows its inputs, keeps its last shape on an error, survives its file."""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+
+sys.path.append(str(Path(__file__).resolve().parent))
+from document_case import DocumentCase, small_job
+
+from freecad_trabecula import make
+from freecad_trabecula.core import wireframe as core
+from freecad_trabecula.core.parameters import Coupling, FaceParameters
+from freecad_trabecula.core.presets import preset
+from freecad_trabecula.core.wireframe import WireframeParameters
+from freecad_trabecula.errors import EnvelopeError, ParameterError
+
+
+def computed(obj) -> core.Wireframe:
+    return obj.Proxy.wireframe(obj)
+
+
+class WireframeTest(DocumentCase):
+    def test_case_6_has_147_rods_and_its_table_uses_every_site_once(self):
+        wireframe = self.make(preset("case6")).wireframe
+        self.assertEqual(wireframe.Rods, 147)
+        rows = [json.loads(line) for line in wireframe.CouplingTable]
+        self.assertEqual([(r["available_first"], r["rods"], r["left_second"]) for r in rows], [(49, 49, 0)] * 3)
+        self.assertEqual(list(wireframe.Failed), [])
+        self.assertEqual(len(wireframe.PoreSizes), 2 * 147)
+        self.assertTrue(all(0.2 <= size <= 0.8 for size in wireframe.PoreSizes))
+
+    def test_the_shape_shows_a_path_from_each_first_to_each_second_site(self):
+        wireframe = self.make(small_job(kind="centre")).wireframe
+        length = sum(edge.Length for edge in wireframe.Shape.Edges)
+        paths = computed(wireframe).paths
+        fine = np.linspace(0, 1, 400)[:, None]
+        weights = [(1 - fine) ** 3, 3 * fine * (1 - fine) ** 2, 3 * fine**2 * (1 - fine), fine**3]
+        curves = sum(w * paths[:, :, None, i] for i, w in enumerate(weights))
+        expected = np.linalg.norm(np.diff(curves, axis=2), axis=3).sum()
+        self.assertGreater(length, expected * 0.999)
+
+    def test_the_same_seed_gives_the_same_rods_in_another_document(self):
+        first = computed(self.make(small_job(seed=7)).wireframe)
+        other = FreeCAD.newDocument("Other")
+        second = computed(make.make_design(other, small_job(seed=7)).wireframe)
+        third = computed(make.make_design(other, small_job(seed=8)).wireframe)
+        FreeCAD.closeDocument(other.Name)
+        self.assertEqual(first.keys(), second.keys())
+        self.assertFalse(set(first.keys()) & set(third.keys()))
+
+    def test_sites_follow_the_box_wherever_it_is_put(self):
+        design = self.make(small_job())
+        design.envelope.Placement = FreeCAD.Placement(FreeCAD.Vector(5, -3, 2), FreeCAD.Rotation(30, 40, 50))
+        design.envelope.Length = 14
+        self.document.recompute()
+        faces = dict(zip([f"Face{k}" for k in range(1, 7)], design.envelope.Shape.Faces))
+        for label, sites in computed(design.wireframe).sites.items():
+            normal = np.array(faces[label].normalAt(0.5, 0.5))
+            corner = np.array(faces[label].Vertexes[0].Point)
+            self.assertLess(np.abs((sites.points - corner) @ normal).max(), 1e-9)
+            self.assertLess(np.abs(sites.normals - normal).max(), 1e-9)
+        self.assertEqual(design.wireframe.State, ["Up-to-date"])
+
+    def test_everything_is_there_and_editable_after_the_file_was_opened_again(self):
+        design = self.make(preset("case6"))
+        keys, parameters = computed(design.wireframe).keys(), design.wireframe.Proxy.parameters(design.wireframe)
+        wireframe = self.reopened().getObject("Wireframe")
+        self.assertEqual(wireframe.State, ["Up-to-date"])
+        self.assertEqual(wireframe.Proxy.parameters(wireframe), parameters)
+        self.assertEqual(computed(wireframe).keys(), keys)
+        wireframe.PathKind = "straight"
+        self.document.recompute()
+        self.assertFalse(computed(wireframe).curved())
+
+    def test_one_site_switched_off_changes_few_rods(self):
+        wireframe = self.make(small_job(n=5)).wireframe
+        before = set(computed(wireframe).keys())
+        make.switch_off_site(wireframe, "Face1.2.2")
+        after = set(computed(wireframe).keys())
+        self.assertEqual(wireframe.Rods, 74)
+        self.assertLessEqual(len(before - after), 7)
+
+    def test_with_the_envelope_its_pores_are_warned_of_when_they_overlap_or_reach_over(self):
+        wireframe = self.make(small_job(n=3)).wireframe
+        self.assertEqual(list(wireframe.Warnings), [])
+        wireframe.PoreSizeLaw, wireframe.PoreSizeLow = "constant", 4.1  # spacing 4 mm, border distance 1 mm
+        self.document.recompute()
+        self.assertIn(
+            "12 pairs of pores overlap on face Face1: pores must be smaller than their spacing", wireframe.Warnings
+        )
+        self.assertRegex(" ".join(wireframe.Warnings), "8 pores reach over the border of face Face1")
+
+
+class RefusalTest(DocumentCase):
+    def assert_refused(self, wireframe, pattern):
+        shown = len(wireframe.Shape.Edges)
+        self.document.recompute()
+        self.assertFalse(wireframe.isValid())
+        self.assertRegex(wireframe.Status, "^error: .*" + pattern)
+        self.assertEqual(len(wireframe.Shape.Edges), shown)
+
+    def test_bad_values_put_the_object_in_error_and_leave_its_last_good_shape(self):
+        wireframe = self.make(small_job()).wireframe
+        good = {
+            name: getattr(wireframe, name) for name in ("PoreSizeHigh", "PoreSizeLow", "Couplings", "Edits", "PathBox")
+        }
+        bad = (
+            ("PoreSizeHigh", 0.1, "low <= high, got 0.2 and 0.1"),
+            ("PoreSizeLow", 0.0, "at least 0.001 mm, got 0 and 0.8 mm"),
+            ("PoreSizeLow", float("nan"), "finite numbers, got nan"),
+            ("Couplings", ['{"first": "Face1", "second": "Face9"}'], "join faces that have sites .*got 'Face9'"),
+            ("Couplings", ['{"first": "Face1", "second": "Face1"}'], "coupled with itself only if it is curved.*Face1"),
+            ("Couplings", ["Face1-Face2"], "coupling 1 must be one JSON object, got 'Face1-Face2'"),
+            ("Edits", ['{"site": "Face1.9.9"}'], "name a site of face Face1 .9 sites., got 'Face1.9.9'"),
+            ("Edits", ['{"site": "Face7.1.1"}'], "one of the faces Face1, .*got 'Face7.1.1'"),
+            ("Edits", ['{"site": "Face1.1.1", "action": "move", "point": [5, 5, 5]}'], "distance of 5 mm"),
+            ("PathBox", FreeCAD.Vector(-1, 0, 0), "box of middle points must be at least 0, got -1 mm"),
+        )
+        for name, value, pattern in bad:
+            with self.subTest(property=name, value=str(value)):
+                setattr(wireframe, name, value)
+                self.assert_refused(wireframe, pattern)
+                setattr(wireframe, name, good[name])
+                self.document.recompute()
+                self.assertEqual(wireframe.State, ["Up-to-date"])
+
+    def test_no_sites_no_envelope_and_sites_of_another_body_are_refused(self):
+        design = self.make(small_job())
+        other = make.make_box(self.document)
+        design.wireframe.Envelope = other
+        self.assert_refused(design.wireframe, "sites Sites must be on faces of Envelope001, got Envelope")
+        design.wireframe.Envelope = None
+        self.assert_refused(design.wireframe, "envelope must have a shape, got nothing")
+        design.wireframe.Envelope, design.wireframe.Sites = design.envelope, []
+        self.assert_refused(design.wireframe, "join faces that have sites")
+
+    def test_two_faces_of_one_name_are_refused(self):
+        box = make.make_box(self.document)
+        sites = [make.make_face_sites(box, FaceParameters(face, "A")) for face in ("Face1", "Face2")]
+        with self.assertRaisesRegex(ParameterError, "named once, got 'A' again"), self.unchanged():
+            make.make_wireframe(box, sites, WireframeParameters(couplings=(Coupling("A", "A"),)))
+
+    def test_a_wireframe_that_cannot_be_made_leaves_the_document_as_it_was(self):
+        box = make.make_box(self.document)
+        sites = make.make_prism_sites(box)
+        wrong = replace(preset("case1").wireframe, couplings=(Coupling("Face1", "lid"),))
+        with self.assertRaisesRegex(ParameterError, "got 'lid'"), self.unchanged():
+            make.make_wireframe(box, [sites], wrong)
+
+    def test_an_envelope_of_two_solids_is_refused_with_their_number(self):
+        boxes = [make.make_box(self.document), make.make_box(self.document)]
+        compound = self.document.addObject("Part::Compound", "Both")
+        compound.Links = boxes
+        self.document.recompute()
+        with self.assertRaisesRegex(EnvelopeError, "Both: one solid of 2 must be chosen"), self.unchanged():
+            make.make_face_sites(compound, FaceParameters("Face1"))
+
+
+class SitesTest(DocumentCase):
+    def test_a_face_that_vanishes_with_an_edit_of_the_envelope_is_named_and_nothing_is_lost(self):
+        box = make.make_box(self.document)
+        cut = self.document.addObject("Part::Chamfer", "Cut")
+        cut.Base, cut.Edges = box, [(1, 2.0, 2.0)]
+        self.document.recompute()
+        self.assertEqual(len(cut.Shape.Faces), 7)
+        sites = make.make_face_sites(cut, FaceParameters("Face7", "lid"))
+        count, shown = sites.Count, len(sites.Shape.Vertexes)
+        cut.Edges = []
+        cut.Shape = box.Shape
+        sites.touch()
+        sites.recompute()
+        self.assertFalse(sites.isValid())
+        self.assertRegex(sites.Status, "Sites lid lost its face of Cut, .* one of Face1..Face6.*got 'Face7'")
+        self.assertEqual((sites.Count, len(sites.Shape.Vertexes)), (count, shown))
+
+    def test_sites_need_one_face(self):
+        box = make.make_box(self.document)
+        sites = make.make_face_sites(box, FaceParameters("Face1"))
+        sites.Face = (box, ["Face1", "Face2"])
+        self.document.recompute()
+        self.assertRegex(sites.Status, "must be linked to 1 face, got 2")
+        sites.Face = None
+        self.document.recompute()
+        self.assertRegex(sites.Status, "must be linked to 1 face, got 0")
+
+    def test_border_distance_of_half_the_edge_is_refused(self):
+        sites = self.make(small_job()).sites[0]
+        sites.BorderX = 5
+        self.document.recompute()
+        self.assertRegex(sites.Status, "0 <= a < edge / 2 = 5 mm, got 5 mm")
+        self.assertFalse(sites.isValid())
+
+    def test_prism_sites_need_a_box(self):
+        sites = self.make(small_job()).sites[0]
+        sites.Box = None
+        self.document.recompute()
+        self.assertRegex(sites.Status, "must be linked to a box, got nothing")
