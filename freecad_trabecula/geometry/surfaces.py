@@ -16,6 +16,7 @@ import numpy as np
 import Part
 
 from ..errors import KernelError
+from .vectors import point_array
 
 Vector = FreeCAD.Vector
 Parameters = Tuple[float, float]
@@ -74,10 +75,11 @@ class FaceSurface:
         self.u = _Range(low_u, high_u, _is_closed(self.geometry, "U"), *face_range[:2])
         self.v = _Range(low_v, high_v, _is_closed(self.geometry, "V"), *face_range[2:])
         self._sign = outer * (-1 if face.Orientation == "Reversed" else 1)
-        self.size = face.BoundBox.DiagonalLength
-        self._box = face.BoundBox
-        self._box.enlarge(0.2 * self.size)
-        far = max(abs(c) for c in (*face.BoundBox.Center, self.size))
+        samples = point_array([self.point(at) for at in self.grid()])
+        self._middle = Vector(*((samples.min(0) + samples.max(0)) / 2))
+        #: Diagonal (mm) of the box around the samples. FreeCAD's BoundBox is another one once the face is triangulated.
+        self.size = float(np.linalg.norm(np.ptp(samples, axis=0)))
+        far = float(np.abs(samples).max())
         #: Distance below which two points are one: rounding of co-ordinates of this size, in mm.
         self.exact = max(1e-11, 4e-14 * far)
         #: Whether a side of the parameters is one point, around which they turn.
@@ -118,8 +120,8 @@ class FaceSurface:
         return self.face.isPartOfDomain(self.u.in_face(at[0]), self.v.in_face(at[1]))
 
     def is_near(self, point: Vector) -> bool:
-        """Return whether a point is in the face's box, widened by a fifth: no line that is on the face leaves that."""
-        return self._box.isInside(point)
+        """Return whether a point is within the face's size of its middle, as all of the face is."""
+        return (point - self._middle).Length <= self.size
 
     def nearest(self, point: Vector) -> Parameters:
         """Return the parameters of the surface's point nearest to a point that lies on it or near it."""
@@ -130,10 +132,10 @@ class FaceSurface:
         return self._foot(point, (self.u.back(u), self.v.back(v)))
 
     def starts(self, point: Vector) -> Iterator[Parameters]:
-        """Yield parameters from which to seek a point beside a pole, where one parameter turns by half a circle at once.
+        """Yield parameters from which to seek a point beside a pole, where a parameter turns by half a circle at once.
 
-        First those of the nearest point as the kernel finds it; it may be the pole, where all directions are one. Then a
-        ring about that, as wide as the point is far from it.
+        First those of the nearest point as the kernel finds it; it may be the pole, where all directions are one. Then
+        a ring about that, as wide as the point is far from it.
         """
         u, v = self.nearest(point)
         yield u, v
@@ -186,9 +188,7 @@ class FaceSurface:
             if abs(f) + abs(g) < self.exact:
                 return at
             along_u, along_v = self.tangents(at)
-            du, dv = _solve_two(
-                along_u.dot(across), along_v.dot(across), along_u.dot(along), along_v.dot(along), -f, -g
-            )
+            du, dv = solve_two(along_u.dot(across), along_v.dot(across), along_u.dot(along), along_v.dot(along), -f, -g)
             at = (self.u.step(at[0], du), self.v.step(at[1], dv))
         return None
 
@@ -198,7 +198,7 @@ class FaceSurface:
         The centre of mass of a cylinder's side is equally far from a whole circle: then it is the point nearest the
         middle of the parameters. Where a hole or a bay is, it is the nearest of some hundred points inside the face.
         """
-        target, grid = self.face.CenterOfMass, self._grid()
+        target, grid = self.face.CenterOfMass, self.grid()
         distance = np.array([(self.point(at) - target).Length for at in grid])
         # Equal distances come in the order of the grid, which begins at the middle of the parameters.
         order = np.lexsort((np.arange(len(grid)), np.round(distance / _TIE)))
@@ -210,8 +210,8 @@ class FaceSurface:
                 return grid[k]
         raise KernelError(f"none of {len(grid)} points tried lies inside the face of {self.face.Area:g} mm2")
 
-    def _grid(self) -> List[Parameters]:
-        """Return parameters inside the face's range, those nearest to its middle first."""
+    def grid(self) -> List[Parameters]:
+        """Return parameters all over the face's range, those nearest to its middle first."""
         share = np.concatenate([[0.5], (np.arange(_GRID) + 0.5) / _GRID])
         a, b = (g.ravel() for g in np.meshgrid(share, share, indexing="ij"))
         order = np.argsort(np.round((a - 0.5) ** 2 + (b - 0.5) ** 2, 9), kind="stable")
@@ -243,15 +243,20 @@ class FaceSurface:
         return not all(a.dot(b) > _SMOOTH for a in around for b in around)
 
 
+def edge_samples(edge: Part.Edge) -> Tuple[np.ndarray, np.ndarray]:
+    """Return parameters (K,) along an edge and its points (K, 3), mm, there; denser where a spline has many poles."""
+    curve = edge.Curve
+    count = min(max(4 * getattr(curve, "NbPoles", 16), _EDGE_SAMPLES[0]), _EDGE_SAMPLES[1])
+    t = np.linspace(edge.FirstParameter, edge.LastParameter, count + 1)
+    return t, point_array([curve.value(s) for s in t.tolist()])
+
+
 class _EdgeSamples:
     """An edge with points along it, from which its crossings with planes are sharpened."""
 
     def __init__(self, edge: Part.Edge) -> None:
         self._curve = edge.Curve
-        poles = getattr(self._curve, "NbPoles", 16)
-        count = min(max(4 * poles, _EDGE_SAMPLES[0]), _EDGE_SAMPLES[1])
-        self._t = np.linspace(edge.FirstParameter, edge.LastParameter, count + 1)
-        self._points = np.array([tuple(self._curve.value(t)) for t in self._t.tolist()])
+        self._t, self._points = edge_samples(edge)
 
     def crossings(self, base: Vector, across: Vector, exact: float) -> List[Vector]:
         height = (self._points - np.array(tuple(base))) @ np.array(tuple(across))
@@ -307,7 +312,7 @@ def _is_closed(surface: Part.GeometrySurface, name: str) -> bool:
     return bool(getattr(surface, f"is{name}Periodic")() or getattr(surface, f"is{name}Closed")())
 
 
-def _solve_two(a: float, b: float, c: float, d: float, f: float, g: float) -> Parameters:
+def solve_two(a: float, b: float, c: float, d: float, f: float, g: float) -> Parameters:
     """Return (x, y) with a x + b y = f, c x + d y = g; at a pole, where one column vanishes, only the other counts."""
     determinant = a * d - b * c
     if abs(determinant) > 1e-12 * math.hypot(a, c) * math.hypot(b, d):
@@ -320,7 +325,7 @@ def _solve_two(a: float, b: float, c: float, d: float, f: float, g: float) -> Pa
 def _least_squares(along_u: Vector, along_v: Vector, off: Vector) -> Parameters:
     """Return the (du, dv) that best make ``along_u du + along_v dv = off``."""
     cross = along_u.dot(along_v)
-    return _solve_two(along_u.dot(along_u), cross, cross, along_v.dot(along_v), along_u.dot(off), along_v.dot(off))
+    return solve_two(along_u.dot(along_u), cross, cross, along_v.dot(along_v), along_u.dot(off), along_v.dot(off))
 
 
 def _text(point: Vector) -> str:

@@ -2,7 +2,6 @@
 """Sites on faces against closed forms: Eq. of thesis 4.2.2 on planes, cylinders, spheres, tori, cones, B-splines."""
 
 import math
-import os
 import unittest
 from pathlib import Path
 
