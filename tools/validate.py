@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parent.parent
 CASES = ("case1", "case2", "case3", "case4", "case5", "case6")
 WITHIN = 1.5  # standard deviations of ten seeds, in which cases 3 to 6 are to meet the thesis
 CASE_2 = """Case 2's 55.27 % is not met. Its rods are those of case 3, orthogonal instead of paired at random, and half
-as many (75 against 147), for which the thesis gives 44.49 %: no reading of the pores that leaves cases 3 to 6 near gives case 2
-more than about 32 % (the plain sum). We report what is computed."""
+as many (75 against 147), for which the thesis gives 44.49 %: no reading of the pores that leaves cases 3 to 6 near
+gives case 2 more than about 32 % (the plain sum). We report what is computed."""
 CASE_1 = """The thesis' 16.66 % is the plain sum of the channels' volumes; it is expected to be 75 x pi/4 x 0.28 mm2 x
 10 mm / 1000 mm3."""
 
@@ -102,8 +102,8 @@ def chapter_3(seeds):
     good &= apart < 1e-3
     text = f"""## Chapter 3: six cubes
 
-Seeds {seeds[0]} to {seeds[-1]}. "CPU a rod" is all that makes the network: sites, couplings, paths, recovery, solids, their
-volumes checked.
+Seeds {seeds[0]} to {seeds[-1]}. "CPU a rod" is all that makes the network: sites, couplings, paths, recovery, solids,
+their volumes checked.
 
 {table(head, rows)}
 
