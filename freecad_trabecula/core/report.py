@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of a design as one record of plain values (report.json); ``report_text`` makes pages of it for readers."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import dataclass, field, replace
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from .job import Job
+from .parameters import ScaffoldParameters
+from .pores import join_pores
+from .presets import PRESETS, THESIS, preset
+from .records import to_record
+from .wireframe import Wireframe
+
+SCHEMA = 1
+_BINS = 10  # of the histogram of pore sizes
+#: Estimated seconds of manual design for a rod (thesis 2.3.3), by (curved, sections).
+MANUAL_SECONDS = {(False, 1): 30, (False, 2): 45, (True, 1): 60, (True, 2): 75}
+
+
+class Check(NamedTuple):
+    """Something that must hold: what, whether it does, and what was found."""
+
+    name: str
+    holds: bool
+    found: str
+
+
+class Volumes(NamedTuple):
+    """Volumes, mm³; ``rods`` is the plain sum of the rods' volumes, in which crossings count twice."""
+
+    envelope: float
+    channels: float
+    scaffold: float
+    loose: float
+    rods: float
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What is known when a design has been made.
+
+    Attributes
+    ----------
+    job : Job
+    wireframe : Wireframe
+    volumes : Volumes
+    checks : tuple of Check
+    watertight : bool
+        Whether scaffold and channels are closed.
+    engine, reason : str
+        The engine that made the scaffold, and why this one.
+    pieces : dict
+        Counts of pieces, by what they are: ``scaffold``, ``channels``, ``loose``, ``closed voids``.
+    seconds : dict
+        Time of each step, in order; they add up to the whole.
+    files : dict
+        Bytes of each file written.
+    versions : dict
+        Of the programs that took part.
+    warnings : tuple of str
+    """
+
+    job: Job
+    wireframe: Wireframe
+    volumes: Volumes
+    checks: Tuple[Check, ...]
+    watertight: bool
+    engine: str
+    reason: str = ""
+    pieces: Mapping[str, int] = field(default_factory=dict)
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    files: Mapping[str, int] = field(default_factory=dict)
+    versions: Mapping[str, str] = field(default_factory=dict)
+    warnings: Tuple[str, ...] = ()
+
+
+# ------------------------------------------------------------------------------------------------------- the record
+
+
+def report_record(outcome: Outcome) -> Dict[str, Any]:
+    """Return the report as plain values for JSON; keys end in their unit where it is not plain.
+
+    ``porosity`` is V_voids / V_envelope (Eq. 2.2, there in %), the voids being all of the envelope that is no exported
+    scaffold.
+    """
+    job, wireframe, volumes = outcome.job, outcome.wireframe, outcome.volumes
+    porosity = 1 - volumes.scaffold / volumes.envelope
+    return {
+        "schema": SCHEMA,
+        "name": job.name,
+        "seed": job.seed,
+        "rods": len(wireframe),
+        "porosity": porosity,
+        "porosity_percent": 100 * porosity,
+        "plain_sum_percent": 100 * volumes.rods / volumes.envelope,
+        "volume_mm3": volumes._asdict(),
+        "watertight": bool(outcome.watertight),
+        "ok": all(check.holds for check in outcome.checks),
+        "checks": [check._asdict() for check in outcome.checks],
+        "engine": {"asked": job.scaffold.engine, "used": outcome.engine, "why": outcome.reason},
+        "pieces": dict(outcome.pieces),
+        "faces": face_table(job, wireframe),
+        "couplings": coupling_table(wireframe),
+        "pores": pore_figures(wireframe),
+        "recoveries": [to_record(one, everything=True) for one in wireframe.recoveries],
+        "failed_rods": list(wireframe.failed),
+        "outside_rods": list(wireframe.outside),
+        "warnings": list(outcome.warnings),
+        **time_figures(job, wireframe, outcome.seconds),
+        "files": dict(outcome.files),
+        "thesis": thesis_figures(job),
+        "versions": dict(outcome.versions),
+        "job": to_record(job, everything=True),
+    }
+
+
+def face_table(job: Job, wireframe: Wireframe) -> List[Dict[str, Any]]:
+    """Return one row per face with its input and its number of sites (tables 4.1, 4.4)."""
+    given = {one.label: to_record(one, everything=True) for one in job.faces}
+    rows = []
+    for label, sites in wireframe.sites.items():
+        row: Dict[str, Any] = {"label": label, "face": label, **given.get(label, {})}
+        row.pop("name", None)
+        row.update(sites=int(sites.on.sum()), switched_off=int((~sites.on).sum()))
+        rows.append(row)
+    return rows
+
+
+def coupling_table(wireframe: Wireframe) -> List[Dict[str, Any]]:
+    """Return one row per coupling: available, rods, left (tables 4.2, 4.5)."""
+    return [to_record(row, everything=True) for row in wireframe.rows]
+
+
+def pore_figures(wireframe: Wireframe) -> Dict[str, Any]:
+    """Return sizes and areas of the rods' end sections: estimated area s² and true area of the curve (thesis 2.4.1)."""
+    ends = wireframe.ends
+    sections = join_pores([ends.first, ends.second]) if ends.rolls else ends.first
+    if not len(sections):
+        return {"count": 0}
+    counts, edges = np.histogram(sections.size, bins=_BINS)
+    return {
+        "count": len(sections),
+        "size_mm": _spread(sections.size),
+        "estimated_area_mm2": _spread(sections.estimated_areas),
+        "true_area_mm2": _spread(sections.areas),
+        "true_by_estimated_area": float(sections.areas.sum() / sections.estimated_areas.sum()),
+        "size_histogram": {"edges_mm": edges.tolist(), "counts": counts.tolist()},
+    }
+
+
+def _spread(values: np.ndarray) -> Dict[str, float]:
+    sd = float(values.std(ddof=1)) if len(values) > 1 else 0.0
+    return {"mean": float(values.mean()), "sd": sd, "least": float(values.min()), "greatest": float(values.max())}
+
+
+def time_figures(job: Job, wireframe: Wireframe, seconds: Mapping[str, float]) -> Dict[str, Any]:
+    """Return times in seconds: of the steps, of all, per rod, and as estimated for manual design (2.3.3, 2.4.7)."""
+    total, manual = sum(seconds.values()), manual_seconds(job, wireframe)
+    rods = max(len(wireframe), 1)
+    return {
+        "seconds": total,
+        "seconds_by_step": dict(seconds),
+        "seconds_per_rod": total / rods,
+        "manual_seconds": manual,
+        "manual_seconds_per_rod": manual / rods,
+    }
+
+
+def manual_seconds(job: Job, wireframe: Wireframe) -> float:
+    """Return the estimated time of manual design, s: 30 to 75 a rod, by curvature and sections (thesis 2.3.3)."""
+    total = 0
+    for number, count in Counter(wireframe.coupling.tolist()).items():
+        path = job.couplings[number].path or job.path
+        total += count * MANUAL_SECONDS[path.kind not in ("orthogonal", "straight"), job.pores.sections]
+    return float(total)
+
+
+def thesis_figures(job: Job) -> Optional[Dict[str, Any]]:
+    """Return what the thesis gives for this design; None if the job is no preset, whatever its seed and engine."""
+    if job.name not in PRESETS:
+        return None
+    own = replace(job, seed=1, scaffold=ScaffoldParameters())
+    original = preset(job.name)
+    if own != replace(original, seed=1, scaffold=ScaffoldParameters(), envelope=own.envelope):
+        return None
+    return {"porosity_percent" if k == "porosity" else k: v for k, v in THESIS[job.name]._asdict().items()}
+
+
+def report_json(record: Mapping[str, Any]) -> str:
+    """Return the record as JSON text."""
+    return json.dumps(record, indent=2, allow_nan=False) + "\n"
