@@ -13,16 +13,44 @@ from typing import Any, Iterator, NamedTuple, Optional, Sequence
 import FreeCAD
 
 from .core.job import Job
-from .core.parameters import FaceParameters, PrismParameters, SiteEdit
+from .core.parameters import FaceParameters, PrismParameters
 from .core.progress import Progress, part, silent
 from .core.wireframe import WireframeParameters
-from .errors import KernelError, ParameterError, TrabeculaError
-from .features import base, tasks
-from .features.base import Feature, lines_of, records_of, write_parameters
+from .features.base import lines_of, write_parameters
+from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
+from .features.envelope import fill
 from .features.face_sites import FaceSites
+from .features.feature import attach_view, update
+from .features.jobs import job_of
 from .features.network import Network
 from .features.prism_sites import PrismSites
+from .features.tasks import run_task, take_results, write_task
 from .features.wireframe import Wireframe
+from .geometry.envelopes import load_envelope
+
+__all__ = [
+    "Design",
+    "add_site",
+    "change_design",
+    "edits_of",
+    "job_of",
+    "make_box",
+    "make_design",
+    "make_envelope",
+    "make_face_sites",
+    "make_network",
+    "make_prism_sites",
+    "make_wireframe",
+    "move_site",
+    "run_task",
+    "set_pore",
+    "set_wireframe_parameters",
+    "switch_off_site",
+    "take_back_edits",
+    "take_results",
+    "update",
+    "write_task",
+]
 
 
 class Design(NamedTuple):
@@ -51,42 +79,20 @@ def _all_or_nothing(document: FreeCAD.Document) -> Iterator[None]:
 def _add(document: FreeCAD.Document, cls: type, name: str, kind: str = "Part::FeaturePython") -> Any:
     obj = document.addObject(kind, name)
     cls(obj)
-    base.attach_view(obj)
+    attach_view(obj)
     return obj
-
-
-def update(obj: Any, progress: Progress = silent) -> None:
-    """Compute an object again.
-
-    Raises
-    ------
-    TrabeculaError
-        What its recompute would put into the report view.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> box = make_box(document)
-    >>> sites = make_prism_sites(box)
-    >>> sites.SitesX = 3
-    >>> update(sites)
-    >>> sites.Count
-    182
-    """
-    if isinstance(getattr(obj, "Proxy", None), Feature):
-        obj.Proxy.prepare(obj, progress)
-    obj.touch()
-    obj.Document.recompute([obj])
-    if not obj.isValid():
-        raise KernelError(f"{obj.Label} could not be computed: {getattr(obj, 'Status', '') or 'the kernel refused it'}")
 
 
 # ---------------------------------------------------------------------------------------------- the envelope, sites
 
 
 def make_box(
-    document: FreeCAD.Document, l: float = 10.0, w: float = 10.0, h: float = 10.0, name: str = "Envelope"
-) -> Any:  # noqa: E741
+    document: FreeCAD.Document,
+    l: float = 10.0,  # noqa: E741  the thesis' letter
+    w: float = 10.0,
+    h: float = 10.0,
+    name: str = "Envelope",
+) -> Any:
     """Add a box, one corner at the origin, and return it.
 
     Parameters
@@ -158,6 +164,40 @@ def make_face_sites(envelope: Any, parameters: FaceParameters) -> Any:
     return sites
 
 
+def make_envelope(document: FreeCAD.Document, path: str, solid: str = "", name: str = "Envelope") -> Any:
+    """Add the solid in a file and return the object.
+
+    Parameters
+    ----------
+    document : App.Document
+    path : str
+        STEP, IGES or BREP (units of the file become mm), or a closed mesh: STL, OBJ, PLY (mm).
+    solid : str
+        Which of several solids: ``Solid2`` or ``2``.
+    name : str
+
+    Raises
+    ------
+    EnvelopeError, ExportError
+        If there is no solid that can be filled, or the file cannot be read.
+
+    Examples
+    --------
+    >>> document = FreeCAD.newDocument()
+    >>> import os, tempfile
+    >>> path = os.path.join(tempfile.mkdtemp(), "cube.step")
+    >>> make_box(document, 5, 5, 5).Shape.exportStep(path)
+    >>> round(make_envelope(document, path).Shape.Volume, 6)
+    125.0
+    """
+    envelope = load_envelope(path, solid)
+    with _all_or_nothing(document):
+        obj = document.addObject("Part::Feature", name)
+        fill(obj, envelope, str(path), solid)
+        obj.purgeTouched()
+    return obj
+
+
 # ------------------------------------------------------------------------------------------------- the wireframe
 
 
@@ -199,126 +239,6 @@ def set_wireframe_parameters(wireframe: Any, parameters: WireframeParameters) ->
     wireframe.Seed = parameters.seed
 
 
-def edits_of(wireframe: Any) -> Sequence[SiteEdit]:
-    """Return the changes by hand of a wireframe object."""
-    return records_of(wireframe.Edits, SiteEdit, "edit")
-
-
-def set_pore(wireframe: Any, site: str, size: Optional[float] = None, turns: Optional[Sequence[float]] = None) -> None:
-    """Set size and tangents of one pore by hand.
-
-    Parameters
-    ----------
-    wireframe : document object
-    site : str
-        Name of the site, e.g. ``Face1.2.3``.
-    size : float, mm, optional
-    turns : sequence of float, optional
-        Tangent components in 0..1, one per corner.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such site or a value is refused; nothing is changed then.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> from freecad_trabecula.core.presets import preset
-    >>> wireframe = make_design(document, preset("case3")).wireframe
-    >>> set_pore(wireframe, "Face1.2.3", size=0.5)
-    >>> wireframe.Edits
-    ['{"site": "Face1.2.3", "action": "pore", "size": 0.5}']
-    """
-    _edit(wireframe, SiteEdit(site, "pore", size=size, turns=None if turns is None else tuple(turns)))
-
-
-def move_site(wireframe: Any, site: str, point: Sequence[float]) -> None:
-    """Move one site by hand to a point (3,), mm, on its face.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> from freecad_trabecula.core.presets import preset
-    >>> wireframe = make_design(document, preset("case3")).wireframe
-    >>> move_site(wireframe, "Face1.2.3", (0, 2.5, 3.5))
-    >>> len(wireframe.Edits)
-    1
-    """
-    _edit(wireframe, SiteEdit(site, "move", point=tuple(float(c) for c in point)))
-
-
-def switch_off_site(wireframe: Any, site: str) -> None:
-    """Switch one site off by hand: no rod uses it.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> from freecad_trabecula.core.presets import preset
-    >>> wireframe = make_design(document, preset("case3")).wireframe
-    >>> switch_off_site(wireframe, "Face1.2.3")
-    >>> wireframe.Rods
-    146
-    """
-    _edit(wireframe, SiteEdit(site, "off"))
-
-
-def add_site(wireframe: Any, face: str, point: Sequence[float]) -> str:
-    """Add a site by hand at a point (3,), mm, of a face; return its name.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> from freecad_trabecula.core.presets import preset
-    >>> wireframe = make_design(document, preset("case3")).wireframe
-    >>> add_site(wireframe, "Face1", (0, 3, 3.2)), add_site(wireframe, "Face2", (10, 3, 3.2))
-    ('Face1.hand.1', 'Face2.hand.1')
-    >>> wireframe.Rods
-    148
-    """
-    own = [e for e in edits_of(wireframe) if e.action == "add" and e.site.split(".")[0] == face]
-    name = f"{face}.hand.{len(own) + 1}"
-    _edit(wireframe, SiteEdit(name, "add", point=tuple(float(c) for c in point)))
-    return name
-
-
-def take_back_edits(wireframe: Any, site: str) -> None:
-    """Take back the changes by hand of one site.
-
-    One that was added is switched off and not taken away: the names of those added later count on it.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> from freecad_trabecula.core.presets import preset
-    >>> wireframe = make_design(document, preset("case3")).wireframe
-    >>> switch_off_site(wireframe, "Face1.2.3")
-    >>> take_back_edits(wireframe, "Face1.2.3")
-    >>> wireframe.Rods
-    147
-    """
-    edits = edits_of(wireframe)
-    added = [e for e in edits if e.site == site and e.action == "add"]
-    _set_edits(wireframe, [e for e in edits if e.site != site] + added + [SiteEdit(site) for _ in added])
-
-
-def _edit(wireframe: Any, edit: SiteEdit) -> None:
-    """Put a change behind the others; it replaces an earlier one of the same kind of the same site."""
-    kept = [e for e in edits_of(wireframe) if (e.site, e.action) != (edit.site, edit.action)]
-    _set_edits(wireframe, [*kept, edit])
-
-
-def _set_edits(wireframe: Any, edits: Sequence[SiteEdit]) -> None:
-    before = wireframe.Edits
-    wireframe.Edits = lines_of(edits)
-    try:
-        update(wireframe)
-    except TrabeculaError:
-        wireframe.Edits = before
-        wireframe.Document.recompute([wireframe])
-        raise
-
-
 def make_network(wireframe: Any, progress: Progress = silent) -> Any:
     """Add the network of a wireframe, a compound of the rods' solids, and return the object.
 
@@ -349,53 +269,22 @@ def make_network(wireframe: Any, progress: Progress = silent) -> Any:
     return network
 
 
-# ------------------------------------------------------------------------------------ long work in another process
-
-
-def write_task(folder: str, objects: Sequence[Any]) -> None:
-    """Write what another process needs to compute objects of one design into an empty folder.
-
-    Parameters
-    ----------
-    folder : str
-    objects : sequence of document objects
-        A wireframe, networks, scaffolds, all of one wireframe.
-
-    Examples
-    --------
-    >>> document = FreeCAD.newDocument()
-    >>> import tempfile
-    >>> from freecad_trabecula.core.presets import preset
-    >>> design = make_design(document, preset("case1"))
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     write_task(folder, [design.wireframe])
-    ...     run_task(folder)  # in another process: freecad_trabecula.shell.worker
-    ...     take_results(folder)
-    1
-    """
-    tasks.write_task(folder, objects)
-
-
-def run_task(folder: str, progress: Progress = silent) -> None:
-    """Compute what a task asks for and write its results; see ``write_task``."""
-    tasks.run_task(folder, progress)
-
-
-def take_results(folder: str) -> int:
-    """Load the results of a task and return how many; objects find them when recomputed. See ``write_task``."""
-    return tasks.take_results(folder)
-
-
 # ----------------------------------------------------------------------------------------------- a design at once
 
 
-def make_design(document: FreeCAD.Document, job: Job, progress: Progress = silent) -> Design:
+def make_design(
+    document: FreeCAD.Document, job: Job, envelope: Any = None, network: bool = False, progress: Progress = silent
+) -> Design:
     """Add all objects of a job to a document and return them.
 
     Parameters
     ----------
     document : App.Document
     job : Job
+    envelope : document object, optional
+        A body to be filled that the document has already; none means that of the job.
+    network : bool
+        Whether the rods are to be made as solids, too.
     progress : callable
 
     Raises
@@ -411,16 +300,75 @@ def make_design(document: FreeCAD.Document, job: Job, progress: Progress = silen
     75
     """
     with _all_or_nothing(document):
-        envelope = _job_envelope(document, job)
-        if job.faces:
-            sites = [make_face_sites(envelope, one) for one in job.faces]
-        else:
-            sites = [make_prism_sites(envelope, job.prism)]
-        wireframe = make_wireframe(envelope, sites, job.wireframe, part(progress, 0.0, 0.2))
-    return Design(envelope, sites, wireframe)
+        progress(0.0, 1.0, "envelope")
+        envelope = envelope or _job_envelope(document, job)
+        sites = _job_sites(envelope, job, part(progress, 0.05, 0.3))
+        wireframe = make_wireframe(envelope, sites, job.wireframe, part(progress, 0.3, 0.5))
+        rods = make_network(wireframe, part(progress, 0.5, 1.0)) if network else None
+    return Design(envelope, sites, wireframe, rods)
 
 
 def _job_envelope(document: FreeCAD.Document, job: Job) -> Any:
     if job.prism is None:
-        raise ParameterError("not yet")
+        return make_envelope(document, job.envelope, job.solid)
     return make_box(document, job.prism.l, job.prism.w, job.prism.h)
+
+
+def _job_sites(envelope: Any, job: Job, progress: Progress) -> Sequence[Any]:
+    if not job.faces:
+        return [make_prism_sites(envelope, job.prism)]
+    found = []
+    for done, one in enumerate(job.faces):
+        progress(done, len(job.faces), f"sites on {one.label}")
+        found.append(make_face_sites(envelope, one))
+    return found
+
+
+def change_design(wireframe: Any, job: Job, progress: Progress = silent) -> None:
+    """Make a design that is there into that of a job: sites, wireframe, a prism's edges; not the file of the envelope.
+
+    Sites of faces that the job does not name are removed, those of new faces are added.
+
+    Parameters
+    ----------
+    wireframe : document object
+    job : Job
+    progress : callable
+
+    Raises
+    ------
+    TrabeculaError
+        If a step fails; the caller's transaction takes back what was changed.
+
+    Examples
+    --------
+    >>> document = FreeCAD.newDocument()
+    >>> from freecad_trabecula.core.presets import preset
+    >>> wireframe = make_design(document, preset("case1")).wireframe
+    >>> change_design(wireframe, preset("case6"))
+    >>> wireframe.Rods
+    147
+    """
+    envelope, old = wireframe.Envelope, list(wireframe.Sites)
+    if job.prism is not None and envelope.TypeId == "Part::Box":
+        envelope.Length, envelope.Width, envelope.Height = job.prism.l, job.prism.w, job.prism.h
+        update(envelope)
+    wanted = list(job.faces) or [job.prism]
+    kept = {}
+    for one in old:
+        kept[type(one.Proxy), getattr(one.Proxy.parameters(one), "face", "")] = one
+    sites = []
+    for parameters in wanted:
+        key = (FaceSites if job.faces else PrismSites, getattr(parameters, "face", ""))
+        if key in kept:
+            write_parameters(kept[key], parameters)
+            update(kept[key])
+            sites.append(kept[key])
+        else:
+            sites.append(make_face_sites(envelope, parameters) if job.faces else make_prism_sites(envelope, parameters))
+    wireframe.Sites = sites
+    set_wireframe_parameters(wireframe, job.wireframe)
+    for one in old:
+        if one not in sites and not one.InList:
+            wireframe.Document.removeObject(one.Name)
+    update(wireframe, progress)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all document objects share: properties made from parameter classes, states, migrations, errors.
+"""Parameter classes as properties of document objects, and back.
 
 This is the only place where a frozen parameter class becomes properties and back. The rule: prefix of the class
 (``Pore``, ``Path``, ...) + the field's name in CamelCase, or the name that ``BINDINGS`` gives it. Property names are a
@@ -11,9 +11,8 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import traceback
 import typing
-from typing import Any, Callable, ClassVar, Dict, Iterable, List, NamedTuple, Sequence, Tuple, Type, TypeVar
+from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Sequence, Tuple, Type, TypeVar
 
 import FreeCAD
 
@@ -28,17 +27,12 @@ from ..core.parameters import (
     RodParameters,
     ScaffoldParameters,
 )
-from ..core.progress import Progress, silent
 from ..core.records import from_record, to_record
-from ..errors import ParameterError, TrabeculaError
+from ..errors import ParameterError
 
 T = TypeVar("T")
 
-# FreeCAD's attributes of properties (App::PropertyType)
-READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 _MOST = 2**31 - 1
-SCHEMA_VERSION = 1
-UP_TO_DATE = "up to date"
 
 
 class Binding(NamedTuple):
@@ -289,131 +283,7 @@ def read_parameters(obj: Any, cls: type, **fixed: Any) -> Any:
     return cls(**values)
 
 
-# ------------------------------------------------------------------------------------------------------ the objects
-
-
-class Property(NamedTuple):
-    """A property that is no parameter: a link, a result."""
-
-    type: str
-    name: str
-    group: str
-    doc: str
-    attributes: int = 0
-    default: Any = None
-
-
-def result(type_name: str, name: str, doc: str, hidden: bool = False) -> Property:
-    """Return a read-only property for a result; changing it does not make its object due for a recompute."""
-    return Property("App::Property" + type_name, name, "Results", doc, OUTPUT | READ_ONLY | (HIDDEN if hidden else 0))
-
-
-class Feature:
-    """Base of the proxies.
-
-    Subclasses name their parameter classes and properties, and fill in ``compute``. Nothing is kept in the proxy: data
-    live in properties, so that files stay readable whatever becomes of the code.
-    """
-
-    #: Word by which the window and the tests know the object; a file format.
-    Type: ClassVar[str] = ""
-    #: Parameter classes kept as properties.
-    PARAMETERS: ClassVar[Tuple[type, ...]] = ()
-    #: Further properties.
-    PROPERTIES: ClassVar[Tuple[Property, ...]] = ()
-    #: ``MIGRATIONS[n](obj)`` brings an object of schema n to schema n + 1.
-    MIGRATIONS: ClassVar[Dict[int, Callable[[Any], None]]] = {}
-
-    def __init__(self, obj: Any) -> None:
-        obj.Proxy = self
-        self.add_properties(obj)
-        obj.SchemaVersion = SCHEMA_VERSION
-
-    def add_properties(self, obj: Any) -> None:
-        """Add the properties that the object lacks."""
-        common = (
-            Property(
-                "App::PropertyInteger", "SchemaVersion", "Base", "Version of the object", OUTPUT | READ_ONLY | HIDDEN
-            ),
-            result("String", "Status", "What the last recompute said"),
-        )
-        for one in common + self.PROPERTIES:
-            if not hasattr(obj, one.name):
-                obj.addProperty(one.type, one.name, one.group, one.doc, one.attributes)
-                if one.default is not None:
-                    setattr(obj, one.name, one.default)
-            elif one.type.endswith("Constraint"):
-                setattr(obj, one.name, (getattr(obj, one.name), *one.default[1:]))
-        for cls in self.PARAMETERS:
-            add_parameters(obj, cls)
-
-    def execute(self, obj: Any) -> None:
-        """Compute again. On an error the object keeps what it had, and ``Status`` and the report view say why."""
-        status = "error: the computation broke off; the report view says where"
-        try:
-            self.check_schema(obj)
-            status = self.compute(obj) or UP_TO_DATE
-        except TrabeculaError as error:
-            status = f"error: {error}"
-            FreeCAD.Console.PrintLog(traceback.format_exc())
-            raise error.with_traceback(None) from None  # the report view shows the sentence, not our way to it
-        finally:
-            obj.Status = status
-
-    def prepare(self, obj: Any, progress: Progress = silent) -> None:
-        """Compute what ``compute`` will find at hand, with progress; errors go to the caller."""
-
-    def compute(self, obj: Any) -> str:
-        """Compute and assign the results, last of all the shape; return the status, "" if there is nothing to say."""
-        raise NotImplementedError
-
-    def check_schema(self, obj: Any) -> None:
-        """Refuse an object made by a later version."""
-        if obj.SchemaVersion > SCHEMA_VERSION:
-            raise TrabeculaError(
-                f"{obj.Label} was made by a later version of Trabecula: its schema must be at most {SCHEMA_VERSION}, "
-                f"got {obj.SchemaVersion}; update Trabecula"
-            )
-
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Bring an object of an older version up to date, one step at a time."""
-        touched = "Touched" in obj.State
-        for version in range(obj.SchemaVersion, SCHEMA_VERSION):
-            self.MIGRATIONS[version](obj)
-            obj.SchemaVersion = version + 1
-        if obj.SchemaVersion <= SCHEMA_VERSION:
-            self.add_properties(obj)
-        if not touched:
-            obj.purgeTouched()  # limits were set again, nothing else
-        attach_view(obj)
-
-    # Nothing is kept in the proxy. FreeCAD 0.20 calls the second pair, later ones the first.
-    def dumps(self) -> None:
-        """Return the proxy's state: none."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Take the proxy's state: none."""
-        return None
-
-    def __getstate__(self) -> None:
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        return None
-
-
-def attach_view(obj: Any) -> None:
-    """Give an object its view provider, if there is a window and it has none (made without one)."""
-    if FreeCAD.GuiUp and obj.ViewObject is not None and obj.ViewObject.Proxy in (None, 0):
-        from ..gui import view_providers
-
-        view_providers.attach(obj)
-
-
-def is_a(obj: Any, *types: Type[Feature]) -> bool:
-    """Return whether a document object is one of ours, of the given classes if any are given."""
-    return isinstance(getattr(obj, "Proxy", None), types or Feature)
+# -------------------------------------------------------------------------------------- records <-> lists of texts
 
 
 def lines_of(records: Sequence[Any]) -> List[str]:

@@ -12,8 +12,8 @@ from ..geometry.envelopes import Envelope, envelope_from_shape
 from ..geometry.fingerprints import fingerprint
 from . import results
 
-#: Properties of an envelope made from a file: where it came from, so that its job can be saved.
-SOURCE_FILE, SOURCE_SOLID = "SourceFile", "SourceSolid"
+#: Properties of an envelope made from a file: where it came from, so that its job can be saved; what was mended.
+SOURCE_FILE, SOURCE_SOLID, NOTES = "SourceFile", "SourceSolid", "Notes"
 
 
 class Body(NamedTuple):
@@ -51,9 +51,14 @@ def source_of(obj: Any) -> Tuple[str, str]:
     return getattr(obj, SOURCE_FILE, ""), getattr(obj, SOURCE_SOLID, "")
 
 
-def set_source(obj: Any, file: str, solid: str) -> None:
-    """Note file and solid from which an envelope was made."""
-    for name, value, doc in ((SOURCE_FILE, file, "File"), (SOURCE_SOLID, solid, "Solid in that file")):
-        if not hasattr(obj, name):
-            obj.addProperty("App::PropertyString", name, "Base", f"{doc} from which the envelope was made")
+def fill(obj: Any, envelope: Envelope, file: str, solid: str) -> None:
+    """Make a ``Part::Feature`` the envelope that a file gave, and note where it came from."""
+    for kind, name, value, doc in (
+        ("String", SOURCE_FILE, file, "File from which the envelope was made"),
+        ("String", SOURCE_SOLID, solid, "Solid in that file"),
+        ("StringList", NOTES, list(envelope.notes), "What was mended in the file's solid, and what looks wrong"),
+    ):
+        obj.addProperty("App::Property" + kind, name, "Base", doc)
         setattr(obj, name, value)
+    obj.Shape = envelope.solid
+    results.keep("envelope", fingerprint(obj.Shape), envelope)

@@ -14,8 +14,9 @@ from ..errors import EnvelopeError
 from ..geometry.design import SitedFace, sites_shape
 from ..geometry.face_sites import face_sites
 from . import results
-from .base import Feature, Property, read_parameters, result
+from .base import read_parameters
 from .envelope import envelope_of
+from .feature import Feature, Property, result
 
 
 def sites_on(face: Part.Face, envelope: str, parameters: FaceParameters, progress: Progress = silent) -> Sites:

@@ -8,9 +8,10 @@ from typing import Any
 from ..core.job import Job
 from ..core.parameters import PrismParameters, ScaffoldParameters
 from ..errors import EnvelopeError, ParameterError
-from .base import is_a, read_parameters
+from .base import read_parameters
 from .envelope import source_of
 from .face_sites import FaceSites
+from .feature import is_a
 from .prism_sites import PrismSites
 
 
@@ -30,6 +31,16 @@ def job_of(wireframe: Any, scaffold: Any = None, envelope: str = "") -> Job:
         If a job cannot hold the design: sites on a prism and on faces together, a prism that was moved.
     EnvelopeError
         If the envelope is neither a box nor made from a file.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.presets import preset
+    >>> job = preset("case6")
+    >>> replace(make.job_of(make.make_design(FreeCAD.newDocument(), job).wireframe), name="case6") == job
+    True
     """
     parameters = wireframe.Proxy.parameters(wireframe)
     prisms = [one.Proxy.parameters(one) for one in wireframe.Sites if is_a(one, PrismSites)]

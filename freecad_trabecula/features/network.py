@@ -15,7 +15,7 @@ from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
 from ..core.rods import rod_volumes
 from ..errors import KernelError, ParameterError
-from .base import is_a, result
+from .feature import is_a, result
 from .on_demand import OnDemand, on_demand
 from .wireframe import Wireframe
 

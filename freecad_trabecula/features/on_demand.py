@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Tuple
 
 from ..core.progress import Progress, silent
 from . import results
-from .base import Feature, Property, result
+from .feature import Feature, Property, result
 
 OUT_OF_DATE = "out of date: update it"
 

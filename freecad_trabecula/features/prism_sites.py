@@ -9,8 +9,9 @@ from ..core.parameters import PrismParameters
 from ..core.progress import Progress, silent
 from ..errors import EnvelopeError
 from ..geometry.design import SitedFace, placed_prism_sites, sites_shape
-from .base import Feature, Property, read_parameters, result
+from .base import read_parameters
 from .envelope import envelope_of
+from .feature import Feature, Property, result
 
 
 class PrismSites(Feature):

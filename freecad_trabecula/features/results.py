@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import threading
 from collections import OrderedDict
 from pathlib import Path
 from typing import Any, Callable, Tuple, TypeVar
@@ -24,6 +25,7 @@ KINDS = ("envelope", "sites", "wireframe", "network", "scaffold", "solid")
 _MOST_KEPT = 16  # of a kind
 _INDEX = "results.json"
 _kept: OrderedDict[Tuple[str, str], Any] = OrderedDict()
+_lock = threading.RLock()  # the window's preview computes in a thread of its own
 
 
 def key_of(*inputs: Any) -> str:
@@ -42,20 +44,22 @@ def _plain(value: Any) -> Any:
 
 def find(kind: str, key: str) -> Any:
     """Return the result of a key, None if there is none here."""
-    value = _kept.get((kind, key))
-    if value is not None:
-        _kept.move_to_end((kind, key))
-    return value
+    with _lock:
+        value = _kept.get((kind, key))
+        if value is not None:
+            _kept.move_to_end((kind, key))
+        return value
 
 
 def keep(kind: str, key: str, value: T) -> T:
     """Keep a result, let the oldest of its kind go, and return it."""
-    _kept[kind, key] = value
-    _kept.move_to_end((kind, key))
-    of_kind = [one for one in _kept if one[0] == kind]
-    for old in of_kind[:-_MOST_KEPT]:
-        del _kept[old]
-    return value
+    with _lock:
+        _kept[kind, key] = value
+        _kept.move_to_end((kind, key))
+        of_kind = [one for one in _kept if one[0] == kind]
+        for old in of_kind[:-_MOST_KEPT]:
+            del _kept[old]
+        return value
 
 
 def found_or_made(kind: str, key: str, make: Callable[[], T]) -> T:
@@ -66,7 +70,8 @@ def found_or_made(kind: str, key: str, make: Callable[[], T]) -> T:
 
 def clear() -> None:
     """Let all results go."""
-    _kept.clear()
+    with _lock:
+        _kept.clear()
 
 
 def save(folder: str, *which: Tuple[str, str]) -> None:
@@ -77,7 +82,7 @@ def save(folder: str, *which: Tuple[str, str]) -> None:
     place = Path(folder)
     index = []
     for number, (kind, key) in enumerate(which):
-        write_value(_kept[kind, key], place / f"{number}-{kind}")
+        write_value(find(kind, key), place / f"{number}-{kind}")
         index.append({"kind": kind, "key": key, "name": f"{number}-{kind}"})
     part = place / (_INDEX + ".part")
     part.write_text(json.dumps(index), encoding="utf-8")

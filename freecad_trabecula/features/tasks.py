@@ -20,9 +20,10 @@ from ..core.records import from_record, to_record
 from ..errors import ExportError
 from ..geometry.design import SitedFace, placed_prism_sites
 from . import network, results
-from .base import is_a, read_parameters
+from .base import read_parameters
 from .envelope import checked_envelope, envelope_of
 from .face_sites import sites_on
+from .feature import is_a
 from .jobs import job_of
 from .network import Network
 from .wireframe import Inputs, Wireframe, made, wireframe_key
@@ -39,6 +40,19 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
         An empty folder.
     objects : sequence of document objects
         A wireframe, networks, scaffolds, all of one wireframe.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.presets import preset
+    >>> design = make.make_design(FreeCAD.newDocument(), preset("case1"))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     make.write_task(folder, [design.wireframe])
+    ...     make.run_task(folder)  # in another process: freecad_trabecula.shell.worker
+    ...     make.take_results(folder)
+    1
     """
     place = Path(folder)
     wireframe = next(obj if is_a(obj, Wireframe) else obj.Wireframe for obj in objects)

@@ -15,8 +15,9 @@ from ..errors import EnvelopeError, ParameterError
 from ..geometry.design import SitedFace, design_wireframe, pore_warnings, wires_shape
 from ..geometry.envelopes import Envelope
 from . import results
-from .base import Feature, Property, lines_of, read_parameters, records_of, result
+from .base import lines_of, read_parameters, records_of
 from .envelope import envelope_of
+from .feature import Feature, Property, result
 
 _SEEDS = (1, 0, LARGEST_SEED, 1)  # value, least, greatest, step
 

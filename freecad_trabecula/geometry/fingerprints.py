@@ -27,7 +27,7 @@ def fingerprint(shape: Part.Shape) -> str:
     >>> fingerprint(Part.makeBox(1, 2, 3)) == fingerprint(Part.makeBox(1, 2, 3))
     True
     """
-    for kept, digest in _KEPT:
+    for kept, digest in tuple(_KEPT):  # another thread may add to it
         if kept.isSame(shape) and kept.Orientation == shape.Orientation:
             return digest
     digest = hashlib.blake2b(digest_size=12)

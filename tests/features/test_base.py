@@ -24,7 +24,7 @@ from freecad_trabecula.core.parameters import (
     SiteEdit,
 )
 from freecad_trabecula.errors import ParameterError
-from freecad_trabecula.features import base
+from freecad_trabecula.features import base, feature
 from freecad_trabecula.features.wireframe import Wireframe
 
 #: One object of each class with no field at its default.
@@ -158,7 +158,7 @@ class FeatureTest(DocumentCase):
         wireframe.SchemaVersion = 0
         wireframe.removeProperty("RodRedraws")
         Renamed.onDocumentRestored(Renamed.__new__(Renamed), wireframe)
-        self.assertEqual(wireframe.SchemaVersion, base.SCHEMA_VERSION)
+        self.assertEqual(wireframe.SchemaVersion, feature.SCHEMA_VERSION)
         self.assertEqual(wireframe.Seed, 101)
         self.assertEqual(wireframe.RodRedraws, RodParameters().redraws)
 
@@ -180,7 +180,7 @@ class FeatureTest(DocumentCase):
         self.assertEqual(wireframe.State, ["Up-to-date"])
 
     def test_an_unforeseen_error_leaves_the_object_in_error_with_a_status(self):
-        class Broken(base.Feature):
+        class Broken(feature.Feature):
             def compute(self, obj):
                 raise ZeroDivisionError
 
