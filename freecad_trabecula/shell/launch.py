@@ -171,6 +171,7 @@ class Child:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
+        drain.join(_GRACE)
         self._sweep()
 
     def save_trace(self) -> str:
@@ -186,6 +187,9 @@ class Child:
         self._receive({"kind": "error", "text": text, "unexpected": True})
 
     def _sweep(self) -> None:
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe:
+                pipe.close()
         if self._temporary:
             shutil.rmtree(self._temporary, ignore_errors=True)
 

@@ -79,11 +79,15 @@ class Session:
             self._stopped.set()
             # Work that reports no progress is ended in its midst; nothing half written may stay.
             time.sleep(_LAST_WAIT)
-            if self._temporary:
-                shutil.rmtree(self._temporary, ignore_errors=True)
+            self.sweep()
             os._exit(self._launch.STOPPED)
 
         threading.Thread(target=wait_for_the_end, daemon=True).start()
+
+    def sweep(self) -> None:
+        """Remove the temporary folder, if one was named and is still there."""
+        if self._temporary:
+            shutil.rmtree(self._temporary, ignore_errors=True)
 
     def __enter__(self) -> Session:
         return self
@@ -120,6 +124,7 @@ def start(task: Dict[str, Any]) -> None:
     session.watch()
     with session:
         session.code = importlib.import_module(task["module"]).run(task["options"], session.report)
+    session.sweep()
     session.report("end", code=session.code)
     sys.stdout.flush()
     # FreeCAD would give 0 to a script that raises, run it a second time, and may crash while it takes itself apart.
