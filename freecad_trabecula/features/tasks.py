@@ -54,14 +54,37 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     ...     make.take_results(folder)
     1
     """
-    place = Path(folder)
     wireframe = next(obj if is_a(obj, Wireframe) else obj.Wireframe for obj in objects)
     envelope_of(wireframe.Envelope)  # refuses what cannot be filled
     job = job_of(wireframe, envelope=_ENVELOPE)
-    wanted = [_wanted(obj) for obj in objects]
+    _write(folder, job, wireframe.Envelope.Shape, [_wanted(obj) for obj in objects])
+
+
+def write_job_task(folder: str, job: Job, envelope: Part.Shape, kinds: Sequence[str]) -> None:
+    """Write what another process needs to compute results of a job of which no document has objects yet.
+
+    Parameters
+    ----------
+    folder : str
+        An empty folder.
+    job : Job
+        Its own envelope is not looked at.
+    envelope : Part.Shape
+    kinds : sequence of str
+        Of ``results.KINDS``: ``wireframe``, ``network``, ``scaffold``, ``solid``.
+    """
+    wanted: List[Dict[str, Any]] = [{"kind": kind} for kind in kinds]
+    for one in wanted:
+        if one["kind"] in ("scaffold", "solid"):
+            one["scaffold"] = to_record(job.scaffold)
+    _write(folder, job, envelope, wanted)
+
+
+def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]]) -> None:
+    place = Path(folder)
     try:
-        wireframe.Envelope.Shape.exportBinary(str(place / _ENVELOPE))
-        text = json.dumps({"job": to_record(job), "wanted": wanted})
+        envelope.exportBinary(str(place / _ENVELOPE))
+        text = json.dumps({"job": to_record(job), "wanted": list(wanted)})
         (place / _TASK).write_text(text, encoding="utf-8")
     except OSError as error:
         raise ExportError(f"the task could not be written into {folder}: {error}") from error
