@@ -58,7 +58,9 @@ def run(options, report):
 @pytest.fixture
 def command(tmp_path, monkeypatch):
     (tmp_path / "trabecula_test_command.py").write_text(COMMAND)
-    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    start = tmp_path / "start.py"  # 1.1 takes no PYTHONPATH
+    start.write_text(f"import sys, runpy\nsys.path.insert(0, {str(tmp_path)!r})\nrunpy.run_path({launch.START!r})\n")
+    monkeypatch.setattr(launch, "START", str(start))
     return "trabecula_test_command"
 
 
@@ -202,11 +204,13 @@ def test_the_child_of_a_killed_starter_ends_by_itself_and_tidies_up(command, tmp
     script = (
         "import sys; sys.path.insert(0, sys.argv[1])\n"
         "from freecad_trabecula.shell import launch\n"
+        "launch.START = sys.argv[4]\n"
         "child = launch.Child(sys.argv[2], {'what': 'wait', 'folder': sys.argv[3], 'deaf': False},\n"
         "                     lambda m: print(m['kind'], child._process.pid, flush=True))\n"
         "child.wait()"
     )
-    starter = subprocess.Popen([sys.executable, "-c", script, str(ROOT), command, str(folder)], stdout=subprocess.PIPE)
+    words = [sys.executable, "-c", script, str(ROOT), command, str(folder), launch.START]
+    starter = subprocess.Popen(words, stdout=subprocess.PIPE)
     kind, pid = starter.stdout.readline().split()
     assert kind == b"text" and folder.exists()
     starter.kill()
