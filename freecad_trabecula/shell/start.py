@@ -49,7 +49,7 @@ class Session:
         self._temporary = ""
 
     def report(self, kind: str, **more: Any) -> None:
-        """Send a message: one that ``launch.Child`` hands on, or ``trace`` (``text``), ``end`` (``code``), ``temporary``.
+        """Send a message: one that ``launch.Child`` hands on, ``trace`` (``text``), ``end`` (``code``), ``temporary``.
 
         The last names in ``path`` a folder that is to vanish with the process.
 
