@@ -4,6 +4,7 @@
 # make test         all tests on this machine's FreeCAD; ONLY="tests/core tests/gui/test_x.py" and MATCH=word choose some
 # make test-latest  the same on the newest FreeCAD of Debian, in a root of its own (tools/newest_freecad.sh)
 # make validate     the thesis' tables beside ours        make bench    our time beside a rival's
+# make same-seed    the same designs on both FreeCADs, compared
 # make gallery      pictures of every panel and design    make lint     ruff and the test of the layers
 # make setup        what the others do first: installs what is missing by apt and pip, and says what
 # make clean        removes build/
@@ -12,10 +13,10 @@ PYTHON = /usr/bin/python3
 LATEST = sh tools/newest_freecad.sh run
 CHOICE = $(if $(ONLY),--only $(ONLY)) $(if $(MATCH),--match $(MATCH))
 
-.PHONY: help setup test test-latest demo bench validate gallery lint format clean
+.PHONY: help setup test test-latest same-seed demo bench validate gallery lint format clean
 
 help:
-	@sed -n '3,9s/^# \{0,1\}//p' Makefile
+	@sed -n '3,10s/^# \{0,1\}//p' Makefile
 
 setup:
 	@sh tools/setup.sh
@@ -30,6 +31,15 @@ test-latest:
 
 demo bench validate gallery: setup
 	@$(PYTHON) tools/$@.py $(ARGS)
+
+# One seed, one result: the same designs on both FreeCADs, compared number by number.
+same-seed: setup
+	@mkdir -p build/same_seed
+	@$(PYTHON) tools/same_seed.py write build/same_seed/here.npz
+	@sh tools/newest_freecad.sh build
+	@$(LATEST) sh tools/setup.sh
+	@$(LATEST) $(PYTHON) tools/same_seed.py write build/same_seed/latest.npz
+	@$(PYTHON) tools/same_seed.py compare build/same_seed/here.npz build/same_seed/latest.npz
 
 # The same with the newest FreeCAD: make bench-latest, make validate-latest, ...
 %-latest:

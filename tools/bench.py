@@ -28,15 +28,14 @@ def designed(name, n=None):
     from freecad_trabecula.core.parameters import PathParameters, PrismParameters
     from freecad_trabecula.core.presets import preset
     from freecad_trabecula.geometry.design import make_design
-    from freecad_trabecula.geometry.envelopes import job_envelope
 
     job = preset(name)
     if n:
         edge = max(10.0, float(n))
         prism = PrismParameters(l=edge, w=edge, h=edge, n_x=n, n_y=n, n_z=n)
         job = dataclasses.replace(job, prism=prism, path=PathParameters("box", box=(0.4 * edge,) * 3))
-    envelope = job_envelope(job)
-    return job, envelope, make_design(job, envelope).wireframe
+    design = make_design(job)
+    return job, design.envelope, design.wireframe
 
 
 def clock(work):

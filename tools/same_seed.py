@@ -43,11 +43,11 @@ def main(arguments):
 
     from freecad_trabecula.core.rods import rod_volumes
     from freecad_trabecula.core.wireframe import skin
-    from freecad_trabecula.geometry.design import job_envelope, make_design
+    from freecad_trabecula.geometry.design import make_design
 
     arrays, texts = {}, {"freecad": ".".join(FreeCAD.Version()[:3])}
     for name, job in jobs().items():
-        made = make_design(job, job_envelope(job)).wireframe
+        made = make_design(job).wireframe
         arrays[f"{name}: pairs"] = made.site_numbers
         arrays[f"{name}: sizes"] = np.concatenate([p.size for p in made.pores.values()])
         arrays[f"{name}: paths"] = made.paths

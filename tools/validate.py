@@ -44,15 +44,14 @@ def case_figures(name, seeds):
     from freecad_trabecula.core.rods import rod_mesh, rod_volumes
     from freecad_trabecula.core.wireframe import skin
     from freecad_trabecula.geometry.design import make_design
-    from freecad_trabecula.geometry.envelopes import job_envelope
     from freecad_trabecula.geometry.rod_solids import rod_solids
 
     found = {"name": name, "union": [], "sum": [], "closed": [], "seconds": 0.0, "rods": 0, "mended": 0, "failed": 0}
     for seed in seeds:
         job = with_seed(preset(name), seed)
         start = time.process_time()
-        envelope = job_envelope(job)
-        made = make_design(job, envelope).wireframe
+        design = make_design(job)
+        envelope, made = design.envelope, design.wireframe
         rods = skin(made, job.rods)
         if seed == seeds[0]:
             rod_solids(skin(made, job.rods, job.rods.stations))
@@ -122,13 +121,12 @@ def study(name, title):
     from freecad_trabecula.core.rods import rod_mesh, rod_volumes
     from freecad_trabecula.core.wireframe import skin
     from freecad_trabecula.geometry.design import make_design
-    from freecad_trabecula.geometry.envelopes import job_envelope
     from freecad_trabecula.geometry.rod_solids import rod_solids
 
     job = preset(name)
     start = time.process_time()
-    envelope = job_envelope(job)
-    made = make_design(job, envelope).wireframe
+    design = make_design(job)
+    envelope, made = design.envelope, design.wireframe
     located = time.process_time() - start
     rods = skin(made, job.rods)
     rod_solids(skin(made, job.rods, job.rods.stations))
