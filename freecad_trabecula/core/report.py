@@ -6,10 +6,11 @@ from __future__ import annotations
 import json
 from collections import Counter
 from dataclasses import dataclass, field, replace
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
+from .bodies import Bodies, Check
 from .job import Job
 from .parameters import ScaffoldParameters
 from .pores import join_pores
@@ -23,22 +24,8 @@ _BINS = 10  # of the histogram of pore sizes
 MANUAL_SECONDS = {(False, 1): 30, (False, 2): 45, (True, 1): 60, (True, 2): 75}
 
 
-class Check(NamedTuple):
-    """Something that must hold: what, whether it does, and what was found."""
-
-    name: str
-    holds: bool
-    found: str
-
-
-class Volumes(NamedTuple):
-    """Volumes, mm³; ``rods`` is the plain sum of the rods' volumes, in which crossings count twice."""
-
-    envelope: float
-    channels: float
-    scaffold: float
-    loose: float
-    rods: float
+#: Steps that make the network; the thesis' times are those, without the scaffold (section 4.3.1).
+NETWORK_STEPS = ("envelope, sites, paths", "rods")
 
 
 @dataclass(frozen=True)
@@ -49,14 +36,9 @@ class Outcome:
     ----------
     job : Job
     wireframe : Wireframe
-    volumes : Volumes
+    bodies : Bodies
     checks : tuple of Check
-    watertight : bool
-        Whether scaffold and channels are closed.
-    engine, reason : str
-        The engine that made the scaffold, and why this one.
-    pieces : dict
-        Counts of pieces, by what they are: ``scaffold``, ``channels``, ``loose``, ``closed voids``.
+        Further ones, beside those of the bodies.
     seconds : dict
         Time of each step, in order; they add up to the whole.
     files : dict
@@ -64,20 +46,24 @@ class Outcome:
     versions : dict
         Of the programs that took part.
     warnings : tuple of str
+    engine : str
+        The engine that made the scaffold, if it is not that of the bodies: ``brep``.
     """
 
     job: Job
     wireframe: Wireframe
-    volumes: Volumes
-    checks: Tuple[Check, ...]
-    watertight: bool
-    engine: str
-    reason: str = ""
-    pieces: Mapping[str, int] = field(default_factory=dict)
+    bodies: Bodies
+    checks: Tuple[Check, ...] = ()
     seconds: Mapping[str, float] = field(default_factory=dict)
     files: Mapping[str, int] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: Tuple[str, ...] = ()
+    engine: str = ""
+
+    @property
+    def all_checks(self) -> Tuple[Check, ...]:
+        """Those of the bodies and the further ones."""
+        return (*self.bodies.checks, *self.checks)
 
 
 # ------------------------------------------------------------------------------------------------------- the record
@@ -87,36 +73,59 @@ def report_record(outcome: Outcome) -> Dict[str, Any]:
     """Return the report as plain values for JSON; keys end in their unit where it is not plain.
 
     ``porosity`` is V_voids / V_envelope (Eq. 2.2, there in %), the voids being all of the envelope that is no exported
-    scaffold.
+    scaffold; ``union_porosity_percent`` counts what the rods fill, ``sum_porosity_percent`` the plain sum of the rods.
     """
-    job, wireframe, volumes = outcome.job, outcome.wireframe, outcome.volumes
-    porosity = 1 - volumes.scaffold / volumes.envelope
+    job, wireframe, bodies = outcome.job, outcome.wireframe, outcome.bodies
     return {
         "schema": SCHEMA,
         "name": job.name,
         "seed": job.seed,
         "rods": len(wireframe),
-        "porosity": porosity,
-        "porosity_percent": 100 * porosity,
-        "plain_sum_percent": 100 * volumes.rods / volumes.envelope,
-        "volume_mm3": volumes._asdict(),
-        "watertight": bool(outcome.watertight),
-        "ok": all(check.holds for check in outcome.checks),
-        "checks": [check._asdict() for check in outcome.checks],
-        "engine": {"asked": job.scaffold.engine, "used": outcome.engine, "why": outcome.reason},
-        "pieces": dict(outcome.pieces),
+        "porosity": bodies.porosity,
+        "porosity_percent": 100 * bodies.porosity,
+        "union_porosity_percent": 100 * bodies.union_porosity,
+        "sum_porosity_percent": 100 * bodies.sum_porosity,
+        "volume_mm3": volumes(bodies),
+        "watertight": bodies.watertight,
+        "ok": all(check.ok for check in outcome.all_checks),
+        "checks": [dict(check._asdict(), ok=check.ok) for check in outcome.all_checks],
+        "engine": {"asked": job.scaffold.engine, "used": outcome.engine or bodies.engine, "why": bodies.reason},
+        "pieces": {
+            "scaffold": bodies.parts.pieces,
+            "channels": bodies.parts.openings,
+            "loose": len(bodies.loose),
+            "closed_voids": len(bodies.voids),
+            "slivers_removed": bodies.parts.slivers,
+        },
         "faces": face_table(job, wireframe),
         "couplings": coupling_table(wireframe),
         "pores": pore_figures(wireframe),
         "recoveries": [to_record(one, everything=True) for one in wireframe.recoveries],
         "failed_rods": list(wireframe.failed),
         "outside_rods": list(wireframe.outside),
-        "warnings": list(outcome.warnings),
+        "warnings": [*bodies.notes, *outcome.warnings],
         **time_figures(job, wireframe, outcome.seconds),
         "files": dict(outcome.files),
         "thesis": thesis_figures(job),
         "versions": dict(outcome.versions),
         "job": to_record(job, everything=True),
+    }
+
+
+def volumes(bodies: Bodies) -> Dict[str, float]:
+    """Return the volumes, mm³: scaffold + channels + loose = envelope + layers.
+
+    ``loose`` is what is exported neither with the one nor with the other: 0 where loose pieces are kept in the scaffold.
+    ``rods`` is the plain sum of the rods, crossings counted as often as they come.
+    """
+    return {
+        "envelope": bodies.envelope_volume,
+        "layers": bodies.added_volume,
+        "channels": bodies.parts.channel_volume,
+        "scaffold": bodies.parts.scaffold_volume,
+        "loose": 0.0 if bodies.kept else bodies.loose_volume,
+        "closed_voids": bodies.void_volume,
+        "rods": bodies.rods_volume,
     }
 
 
@@ -160,13 +169,15 @@ def _spread(values: np.ndarray) -> Dict[str, float]:
 
 
 def time_figures(job: Job, wireframe: Wireframe, seconds: Mapping[str, float]) -> Dict[str, Any]:
-    """Return times in seconds: of the steps, of all, per rod, and as estimated for manual design (2.3.3, 2.4.7)."""
+    """Return times, s: of the steps, of all, of the network per rod, estimated for manual design (2.3.3, 2.4.7)."""
     total, manual = sum(seconds.values()), manual_seconds(job, wireframe)
+    network = sum(seconds.get(step, 0.0) for step in NETWORK_STEPS)
     rods = max(len(wireframe), 1)
     return {
         "seconds": total,
         "seconds_by_step": dict(seconds),
-        "seconds_per_rod": total / rods,
+        "seconds_of_network": network,
+        "seconds_per_rod": network / rods,
         "manual_seconds": manual,
         "manual_seconds_per_rod": manual / rods,
     }

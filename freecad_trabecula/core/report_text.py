@@ -12,6 +12,22 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
+_VOLUMES = {
+    "envelope": "the envelope",
+    "layers": "layers added to it",
+    "channels": "the channels",
+    "scaffold": "the scaffold",
+    "loose": "loose pieces taken away",
+    "closed_voids": "closed voids",
+}
+_PIECES = {
+    "scaffold": "scaffold",
+    "channels": "channels",
+    "loose": "loose",
+    "closed_voids": "closed voids",
+    "slivers_removed": "slivers removed",
+}
+
 
 def report_markdown(record: Mapping[str, Any]) -> str:
     """Return a record as Markdown, made from the record alone."""
@@ -22,8 +38,7 @@ def report_markdown(record: Mapping[str, Any]) -> str:
         "## Input",
         _table(("variable", "value"), _inputs(record["job"])),
         "## Checks",
-        _table(("check", "", "found"), [(c["name"], "ok" if c["holds"] else "**FAILED**", c["found"])
-                                        for c in record["checks"]]),
+        _checks(record["checks"]),
         "## Faces and sites",
         _faces(record["faces"]),
         "## Couplings",
@@ -48,17 +63,18 @@ def report_summary(record: Mapping[str, Any]) -> str:
     volume, pieces = record["volume_mm3"], record["pieces"]
     lines = [
         f"{record['name']}, seed {record['seed']}: {record['rods']} rods, porosity {record['porosity_percent']:.2f} % "
-        f"(plain sum of the rods {record['plain_sum_percent']:.2f} %)",
+        f"(union of the rods {record['union_porosity_percent']:.2f} %, their plain sum "
+        f"{record['sum_porosity_percent']:.2f} %)",
         f"volumes in mm3: envelope {digits(volume['envelope'])}, channels {digits(volume['channels'])}, scaffold "
         f"{digits(volume['scaffold'])}, loose {digits(volume['loose'])}",
         f"{'watertight' if record['watertight'] else 'NOT watertight'}; engine {record['engine']['used']}"
-        + "".join(f"; {what} {count}" for what, count in pieces.items()),
+        + f"; pieces: {', '.join(f'{words} {pieces[key]}' for key, words in _PIECES.items())}",
         f"{len(record['recoveries'])} rods mended, {len(record['failed_rods'])} failed, "
         f"{len(record['outside_rods'])} leave the envelope",
-        f"{record['seconds']:.1f} s, {record['seconds_per_rod']:.3f} s a rod (by hand, as the thesis estimates: "
-        f"{record['manual_seconds_per_rod']:.0f} s)",
+        f"{record['seconds']:.1f} s; the network {record['seconds_per_rod']:.3f} s a rod (by hand, as the thesis "
+        f"estimates: {record['manual_seconds_per_rod']:.0f} s)",
     ]
-    failed = [f"FAILED: {c['name']}: {c['found']}" for c in record["checks"] if not c["holds"]]
+    failed = [f"FAILED: {_check_words(c)}" for c in record["checks"] if not c["ok"]]
     return "\n".join(lines + (failed or [f"all {len(record['checks'])} checks held"]))
 
 
@@ -90,14 +106,16 @@ def _outputs(record: Mapping[str, Any]) -> str:
     rows = [
         ("rods", record["rods"], thesis.get("rods", "")),
         ("porosity, % (Eq. 2.2)", f"{record['porosity_percent']:.2f}", thesis.get("porosity_percent") or ""),
-        ("plain sum of the rods, %", f"{record['plain_sum_percent']:.2f}", ""),
-        *((f"volume of {k}, mm3", digits(volume[k]), "") for k in ("envelope", "channels", "scaffold", "loose")),
+        ("union of the rods, %", f"{record['union_porosity_percent']:.2f}", ""),
+        ("plain sum of the rods, %", f"{record['sum_porosity_percent']:.2f}", ""),
+        *((f"volume of {words}, mm3", digits(volume[key]), "") for key, words in _VOLUMES.items()),
         ("watertight", "yes" if record["watertight"] else "**no**", ""),
-        *((f"pieces: {name}", count, "") for name, count in record["pieces"].items()),
+        *((f"pieces: {words}", record["pieces"][key], "") for key, words in _PIECES.items()),
         ("seed", record["seed"], ""),
         ("engine", " ".join(filter(None, (record["engine"]["used"], _in_brackets(record["engine"]["why"])))), ""),
-        ("time, s", f"{record['seconds']:.1f}", thesis.get("seconds", "")),
-        ("time a rod, s", f"{record['seconds_per_rod']:.3f}", thesis.get("seconds_per_rod", "")),
+        ("time of all, s", f"{record['seconds']:.1f}", ""),
+        ("time of the network, s", f"{record['seconds_of_network']:.1f}", thesis.get("seconds", "")),
+        ("time of the network a rod, s", f"{record['seconds_per_rod']:.3f}", thesis.get("seconds_per_rod", "")),
         ("manual design a rod, s (thesis 2.3.3)", f"{record['manual_seconds_per_rod']:.0f}",
          thesis.get("manual_seconds_per_rod", "")),
     ]  # fmt: skip
@@ -133,6 +151,21 @@ def _law(law: Mapping[str, Any]) -> str:
         return f"{law['low']:g}"
     words = law["expression"] if law["kind"] == "expression" else law["kind"]
     return f"{law['low']:g} to {law['high']:g} ({words})"
+
+
+def _checks(rows: List[Dict[str, Any]]) -> str:
+    return _table(
+        ("quantity", "", "by one route", "by another", "difference", "at most"),
+        [(row["name"], "ok" if row["ok"] else "**FAILED**", f"{row['value']:.9g}", f"{row['second']:.9g}",
+          f"{row['difference']:.2g}", f"{row['tolerance']:.2g}") for row in rows],
+    )  # fmt: skip
+
+
+def _check_words(row: Mapping[str, Any]) -> str:
+    return (
+        f"{row['name']}: {row['value']:.9g} against {row['second']:.9g}, {row['difference']:.2g} apart, at most "
+        f"{row['tolerance']:.2g}"
+    )
 
 
 def _in_brackets(text: str) -> str:

@@ -25,7 +25,7 @@ class FaceView(NamedTuple):
 
 
 def face_views(solid: Part.Shape) -> List[FaceView]:
-    """Return the faces of a solid from afar; one that closes on itself (a cylinder's) has no mean normal, is left out."""
+    """Return the faces of a solid from afar; one that closes on itself (a cylinder's) is left out."""
     found = []
     for number, face in enumerate(solid.Faces, 1):
         # of a copy: triangles stay with a shape, and others may want finer ones
