@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pieces of a cut envelope: the scaffold, loose pieces that channels cut off all round, voids that no opening reaches.
+
+Any engine gives two closed surfaces: the envelope's part outside the rods and its part inside them. Each falls into
+shells; a shell of positive volume with the cavities in it is a piece. The largest piece outside the rods is the
+scaffold, the others are loose; a cavity of the scaffold is a void.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import List, NamedTuple, Sequence, Tuple
+
+import numpy as np
+
+from ..errors import MeshError
+from .meshes import Mesh, bounds, components, join, mesh_volume, split
+from .parameters import SMALLEST_SIZE
+from .rays import RayGrid, contains, crossings, union_intervals
+
+#: Shells below this volume (mm³: a cube of the smallest pore's size, 1 micrometre) are crumbs of rounding: left out,
+#: counted.
+SLIVER = SMALLEST_SIZE**3
+_SAME = 1e-6  # relative difference of two volumes of one shell, seen from both sides
+
+
+class Piece(NamedTuple):
+    """A connected body.
+
+    Attributes
+    ----------
+    shell : Mesh
+        Its outer surface.
+    cavities : tuple of Mesh
+        Its inner surfaces, as they stand in the body (volumes negative).
+    shell_volume, volume : float, mm³
+        Of the shell alone, and less the cavities.
+    """
+
+    shell: Mesh
+    cavities: Tuple[Mesh, ...]
+    shell_volume: float
+    volume: float
+
+    @property
+    def mesh(self) -> Mesh:
+        """Shell and cavities."""
+        return join([self.shell, *self.cavities]) if self.cavities else self.shell
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What a cut envelope consists of.
+
+    Attributes
+    ----------
+    scaffold, channels : Mesh
+        As they are exported.
+    scaffold_volume, channel_volume : float, mm³
+        Their volumes.
+    loose, voids : tuple of Mesh
+        Pieces that channels cut off all round; pieces of the channels that no opening reaches; the largest first.
+    loose_volumes, void_volumes : tuple of float, mm³
+        A void's volume is what filling it adds to the scaffold: pieces inside it count with it, and not as loose.
+    pieces, openings : int
+        Connected pieces of the exported scaffold and of the exported channels.
+    slivers : int
+        Shells below ``SLIVER``, left out of all the above.
+    cavities, matched : int
+        Cavities of both bodies, and how many of them have the volume of a shell of the other body: they must all.
+    """
+
+    scaffold: Mesh
+    channels: Mesh
+    scaffold_volume: float
+    channel_volume: float
+    loose: Tuple[Mesh, ...]
+    voids: Tuple[Mesh, ...]
+    loose_volumes: Tuple[float, ...]
+    void_volumes: Tuple[float, ...]
+    pieces: int
+    openings: int
+    slivers: int
+    cavities: int
+    matched: int
+
+
+def pieces(mesh: Mesh) -> Tuple[List[Piece], int]:
+    """Return the pieces of a closed mesh, the largest first, and the number of slivers left out.
+
+    Raises
+    ------
+    MeshError
+        If a cavity lies in no shell: the mesh is inside out.
+    """
+    shells = [(mesh_volume(shell), shell) for shell in _shells(mesh)]
+    outer = sorted((s for s in shells if s[0] >= SLIVER), key=lambda s: -s[0])
+    inner = [s for s in shells if s[0] <= -SLIVER]
+    inside: List[List[Tuple[float, Mesh]]] = [[] for _ in outer]
+    for cavity, owner in zip(inner, _owners(inner, outer)):
+        inside[owner].append(cavity)
+    found = [
+        Piece(shell, tuple(m for _, m in holes), volume, volume + sum(v for v, _ in holes))
+        for (volume, shell), holes in zip(outer, inside)
+    ]
+    return found, len(shells) - len(outer) - len(inner)
+
+
+def _shells(mesh: Mesh) -> List[Mesh]:
+    """The components as ``meshes.split`` gives them, but the largest is taken out first, without sorting it."""
+    labels = components(mesh)
+    sizes = np.bincount(labels)
+    if len(sizes) < 2:
+        return [mesh] * len(sizes)
+    of_largest = labels == np.argmax(sizes)
+    largest, rest = (_selected(mesh, of) for of in (of_largest, ~of_largest))
+    return [largest, *split(rest)]
+
+
+def _selected(mesh: Mesh, chosen: np.ndarray) -> Mesh:
+    triangles = mesh.triangles[chosen]
+    used = np.zeros(len(mesh.vertices), bool)
+    used[triangles] = True
+    return Mesh(mesh.vertices[used], (np.cumsum(used) - 1)[triangles])
+
+
+def _owners(inner: Sequence[Tuple[float, Mesh]], outer: Sequence[Tuple[float, Mesh]]) -> List[int]:
+    """For each cavity the number of the smallest outer shell around it; ``outer`` by falling volume.
+
+    A shell that is the only one large enough needs no rays: the cavity must lie somewhere.
+    """
+    places = np.array([m.vertices[0] for _, m in inner]).reshape(-1, 3)
+    volumes = np.array([-v for v, _ in inner])
+    boxes = [bounds(shell) for _, shell in outer]
+    may = np.zeros((len(outer), len(inner)), bool)
+    for k, ((volume, _), (low, high)) in enumerate(zip(outer, boxes)):
+        may[k] = (volumes < volume) & ((places >= low) & (places <= high)).all(1)
+    homeless = int((~may.any(0)).sum())
+    if homeless:
+        raise MeshError(
+            f"every cavity must lie in a body, but {homeless} of {len(inner)} lie in none: "
+            "the mesh is inside out or crosses itself"
+        )
+    owners = may.argmax(0)  # the largest, unless a smaller one is found to be around it
+    for k in range(len(outer) - 1, 0, -1):
+        doubtful = np.flatnonzero(may[k] & (owners < k))
+        if len(doubtful):
+            found = doubtful[contains(outer[k][1].corners, places[doubtful])]
+            owners[found], may[:k, found] = k, False
+    return owners.tolist()
+
+
+def inner_point(mesh: Mesh) -> np.ndarray:
+    """Return a point (3,) well inside a closed mesh: the middle of the longest stretch that a few rays have in it.
+
+    Raises
+    ------
+    MeshError
+        If it holds no volume that 81 x 81 rays would meet.
+    """
+    low, high = bounds(mesh)
+    for cells in (3, 9, 27, 81):
+        grid = RayGrid.of_box(low, high, cells, 0)
+        ray, start, end = union_intervals(crossings(mesh.corners, grid))
+        if len(ray):
+            k = int(np.argmax(end - start))
+            u, v = (grid.origin[d] + grid.step[d] * n for d, n in enumerate(divmod(int(ray[k]), cells)))
+            return np.array([(start[k] + end[k]) / 2, u, v])
+    raise MeshError(f"a closed mesh must hold some volume, got {mesh_volume(mesh):g} mm3")
+
+
+def separate(outside: Mesh, inside: Mesh, keep: bool) -> Parts:
+    """Return what the two halves of a cut envelope consist of.
+
+    Parameters
+    ----------
+    outside, inside : Mesh
+        The envelope's parts outside and inside the rods, closed.
+    keep : bool
+        True: everything is exported as it is. False: loose pieces are taken away and voids filled, since neither can be
+        printed (a void keeps its powder).
+
+    Raises
+    ------
+    MeshError
+        If nothing is left outside the rods.
+    """
+    solids, slivers = pieces(outside)
+    if not solids:
+        raise MeshError(
+            "the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope"
+        )
+    holes, hole_slivers = pieces(inside)
+    main, others = solids[0], solids[1:]
+    void = _within(main, holes) if main.cavities else np.zeros(len(holes), bool)
+    filled = _within(main, others) if main.cavities else np.zeros(len(others), bool)
+    loose = [p for p, f in zip(others, filled) if keep or not f]
+    voids = [p for p, f in zip(holes, void) if f]
+    open_holes = [p for p, f in zip(holes, void) if not f]
+    scaffold = solids if keep else [main._replace(cavities=(), volume=main.shell_volume)]
+    channels = holes if keep else open_holes
+    return Parts(
+        join([p.mesh for p in scaffold]),
+        join([p.mesh for p in channels]),
+        float(sum(p.volume for p in scaffold)),
+        float(sum(p.volume for p in channels)),
+        tuple(p.mesh for p in loose),
+        tuple(p.mesh for p in voids),
+        tuple(float(p.volume) for p in loose),
+        tuple(sorted((float(-mesh_volume(c)) for c in main.cavities), reverse=True)),
+        len(scaffold),
+        len(channels),
+        slivers + hole_slivers,
+        *_matched(solids, holes),
+    )
+
+
+def _within(piece: Piece, others: Sequence[Piece]) -> np.ndarray:
+    """True (N,) for pieces that lie inside the outer shell of one."""
+    points = np.array([inner_point(other.mesh) for other in others]).reshape(-1, 3)
+    return contains(piece.shell.corners, points) if len(points) else np.zeros(0, bool)
+
+
+def _matched(solids: Sequence[Piece], holes: Sequence[Piece]) -> Tuple[int, int]:
+    """Cavities of both bodies, and those whose volume a shell of the other body has: each is seen from both sides."""
+    count = found = 0
+    for these, others in ((solids, holes), (holes, solids)):
+        volumes = np.array([-mesh_volume(c) for p in these for c in p.cavities])
+        shells = np.sort([p.shell_volume for p in others])
+        count += len(volumes)
+        if len(volumes) and len(shells):
+            right = np.searchsorted(shells, volumes).clip(0, len(shells) - 1)
+            near = np.minimum(np.abs(shells[right] - volumes), np.abs(shells[np.maximum(right - 1, 0)] - volumes))
+            found += int((near <= _SAME * volumes + SLIVER).sum())
+    return count, found
