@@ -169,7 +169,7 @@ def _spread(values: np.ndarray) -> Dict[str, float]:
 
 
 def time_figures(job: Job, wireframe: Wireframe, seconds: Mapping[str, float]) -> Dict[str, Any]:
-    """Return times, s: of the steps, of all, of the network per rod, estimated for manual design (2.3.3, 2.4.7)."""
+    """Return times, s: of the steps, of all, of the network per rod, and of manual design (thesis 2.3.3, 2.4.7)."""
     total, manual = sum(seconds.values()), manual_seconds(job, wireframe)
     network = sum(seconds.get(step, 0.0) for step in NETWORK_STEPS)
     rods = max(len(wireframe), 1)
