@@ -16,25 +16,17 @@ from __future__ import annotations
 
 import operator
 from dataclasses import dataclass
-from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from ..errors import MeshError, ParameterError
 from .marching import Surface
-from .meshes import Mesh, bounds, mesh_volume, require_closed
+from .meshes import Mesh, mesh_volume, require_closed
+from .nodes import NodeGrid, NodeRays
 from .progress import Progress, silent
-from .rays import RayGrid, crossing_blocks, sorted_crossings, union_intervals
 
 BODIES = ("scaffold", "channels")
-
-# A vertex keeps this share of a cell from the nodes, so that no two fall together in single precision.
-_MARGIN = 0.02
-_SLAB, _LAYERS = (
-    800_000,
-    16,
-)  # nodes worked on at once, about 100 MB, but not fewer layers: each slab looks at its triangles anew
-_MOST_NODES = 4_000_000_000  # the vertices of more might not fit their 32-bit numbers
 
 # Area of channels in a volume, 1/mm, as in the thesis' cases and in 1,200 rods in 20 mm, and triangles per cell² of it.
 _AREA, _TRIANGLES = 2.8, 2.2
@@ -128,9 +120,11 @@ def field_bodies(
     ParameterError
         If ``cell`` is not above 0, too small, or too large for the envelope, or a body is unknown.
     MeshError
-        If the envelope or a rod is not closed, or the envelope is inside out.
+        If the envelope or a rod is not closed, the envelope is inside out, or a co-ordinate is not finite.
     """
     _check_cell(cell)
+    if not np.isfinite(rods).all():
+        raise MeshError("co-ordinates of rods must be finite, got nan or infinite mm")
     unknown = [name for name in want if name not in BODIES]
     if unknown:
         raise ParameterError(f"bodies must be of {', '.join(BODIES)}, got {unknown[0]!r}")
@@ -140,9 +134,9 @@ def field_bodies(
         raise MeshError(
             f"the envelope's triangles must turn counter-clockwise seen from outside; its volume is {volume:.6g} mm³"
         )
-    nodes = _Nodes.of_envelope(envelope, cell)
+    nodes = NodeGrid.of_envelope(envelope, cell)
     surfaces = {name: Surface(nodes.shape[1:], name == "channels") for name in BODIES if name in want}
-    rays = _Rays(nodes, np.asarray(rods, np.float64), None if nodes.flush else envelope.corners)
+    rays = NodeRays(nodes, np.asarray(rods, np.float64), None if nodes.flush else envelope.corners)
     top = nodes.shape[0] - 1
     for slab in rays.slabs():
         progress(slab.base, top, "Casting rays")
@@ -156,246 +150,37 @@ def field_bodies(
     return FieldBodies({name: surface.mesh() for name, surface in surfaces.items()}, figures)
 
 
+def field_union(
+    rods: np.ndarray, low: Sequence[float], high: Sequence[float], cell: float, progress: Progress = silent
+) -> Mesh:
+    """Return the part of the rods' union inside a box along the axes, as one closed mesh.
+
+    For an envelope that is no box: cut it with this union by a Boolean (of a box a little larger than it). Its rims are
+    exact then, and the time does not grow with the rods' crossings.
+
+    Parameters
+    ----------
+    rods : ndarray of shape (T, 3, 3), mm
+    low, high : sequence of three floats, mm
+        The box.
+    cell : float, mm
+    progress : Progress
+
+    Raises
+    ------
+    ParameterError, MeshError
+        As ``field_bodies``.
+    """
+    low, high = np.asarray(low, np.float64), np.asarray(high, np.float64)
+    if not (np.isfinite(low).all() and np.isfinite(high).all() and (high > low).all()):
+        raise ParameterError(f"a box must satisfy low < high on every axis, got {low} and {high} mm")
+    # corner c of the box has the offsets bits 0, 1, 2 of c; two triangles for each face, counter-clockwise from outside
+    corners = np.where(np.arange(8)[:, None] >> np.arange(3) & 1, high, low)
+    quads = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
+    box = Mesh(corners, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]))
+    return field_bodies(rods, box, cell, progress, ("channels",)).meshes["channels"]
+
+
 def _check_cell(cell: float) -> None:
     if not (np.isfinite(cell) and cell > 0):
         raise ParameterError(f"the cell size must be above 0 mm, got {cell}")
-
-
-def _within(body: str, rods: np.ndarray, envelope: np.ndarray) -> np.ndarray:
-    """True where a body is, from the winding numbers of the rods and of the envelope."""
-    return (envelope > 0) & ((rods > 0) if body == "channels" else (rods <= 0))
-
-
-@dataclass(frozen=True)
-class _Nodes:
-    """The grid: node (i, j, k) at low + (i, j, k) * step, with a border as ``Surface`` wants it.
-
-    ``flush``: the envelope is a box along the axes, whose faces are the outermost nodes.
-    """
-
-    low: np.ndarray
-    step: np.ndarray
-    cells: np.ndarray
-    flush: bool
-
-    @classmethod
-    def of_envelope(cls, envelope: Mesh, cell: float) -> _Nodes:
-        low, high = bounds(envelope)
-        if (high - low).min() < 2 * cell:
-            raise ParameterError(
-                f"the envelope must be at least two cells thick; it measures {high - low} mm, a cell {cell:g} mm"
-            )
-        cells = np.ceil((high - low) / cell - 1e-9)
-        if np.prod(cells + 3) > _MOST_NODES:
-            raise ParameterError(
-                f"a field may have {_MOST_NODES:.1g} nodes; a cell size of {cell:g} mm needs {np.prod(cells + 3):.2g}"
-            )
-        if _is_box(envelope, low, high):
-            return cls(low, (high - low) / cells, cells.astype(int), True)
-        # half a cell of space, so that flat faces on the bounds run between the nodes
-        return cls(low - cell / 2, np.full(3, float(cell)), cells.astype(int) + 1, False)
-
-    @property
-    def shape(self) -> Tuple[int, int, int]:
-        """Nodes along z, y, x with the border."""
-        return tuple((self.cells[::-1] + 3).tolist())  # type: ignore[return-value]
-
-    def places(self, axis: int) -> np.ndarray:
-        """Co-ordinates (N,) of the nodes along an axis with the border, which lies on the outermost nodes."""
-        return self.low[axis] + self.step[axis] * np.arange(-1, self.cells[axis] + 2).clip(0, self.cells[axis])
-
-    def below(self, values: np.ndarray, axis: int) -> np.ndarray:
-        """Return how many nodes of a line (without border) lie below each value."""
-        return np.ceil((values - self.low[axis]) / self.step[axis]).clip(0, self.cells[axis] + 1).astype(np.int64)
-
-    def grid(self, axis: int, layer: int, layers: int) -> RayGrid:
-        """Rays along an axis through the nodes of some layers in z."""
-        u, v = (axis + 1) % 3, (axis + 2) % 3
-        first = {2: layer}
-        count = {0: int(self.cells[0]) + 1, 1: int(self.cells[1]) + 1, 2: layers}
-        low, step = self.low.tolist(), self.step.tolist()
-        return RayGrid(
-            axis, (low[u], low[v]), (step[u], step[v]), (first.get(u, 0), first.get(v, 0)), (count[u], count[v])
-        )
-
-
-def _is_box(envelope: Mesh, low: np.ndarray, high: np.ndarray) -> bool:
-    """True if every triangle lies in a face of the bounding box and the volume is the box's."""
-    hair = 1e-9 * (high - low).max()
-    corners = envelope.corners
-    on_face = (np.abs(corners - low) <= hair).all(1) | (np.abs(corners - high) <= hair).all(1)
-    return bool(on_face.any(1).all() and np.isclose(mesh_volume(envelope), np.prod(high - low), rtol=1e-6))
-
-
-class _Hits(NamedTuple):
-    """Crossings of the grid's edges along one axis: lower node (flat, in the slab), place, signs of both."""
-
-    node: np.ndarray
-    at: np.ndarray
-    rods: np.ndarray
-    envelope: np.ndarray
-
-
-class _Rays:
-    """Casts the rays slab by slab and keeps the totals."""
-
-    def __init__(self, nodes: _Nodes, rods: np.ndarray, envelope: Optional[np.ndarray]) -> None:
-        self.nodes = nodes
-        self.several = self.lost = 0
-        self._lengths = {"channels": 0.0, "envelope": 0.0}
-        self._meshes = [rods] if envelope is None else [rods, envelope]
-        self._heights = [(m[:, :, 2].min(1), m[:, :, 2].max(1)) for m in self._meshes]
-
-    def slabs(self) -> Iterator[_Slab]:
-        """Yield the slabs from below; each begins with the last layer of the one before."""
-        layers, rows, columns = self.nodes.shape
-        thickness = max(_LAYERS, _SLAB // (rows * columns))
-        windings = np.zeros((2, rows, columns), np.int16)
-        base = 0
-        while base < layers - 1:
-            top = base + thickness if base + thickness < layers - 2 else layers - 1
-            slab = self._slab(base, top, windings)
-            yield slab
-            windings = np.stack([slab.rods[-1], slab.envelope[-1]])
-            base = top
-
-    def _slab(self, base: int, top: int, before: np.ndarray) -> _Slab:
-        nodes = self.nodes
-        layers, rows, columns = nodes.shape
-        first, last = base + 1, min(top, layers - 2)  # layers without the border
-        height = nodes.places(2)
-        near = [
-            mesh[(low <= height[top]) & (high >= height[base])]
-            for mesh, (low, high) in zip(self._meshes, self._heights)
-        ]
-        windings = np.zeros((2, top - base + 1, rows, columns), np.int16)
-        windings[:, 0] = before
-        if nodes.flush:
-            windings[1, 1 : last - base + 1, 1:-1, 1:-1] = 1
-        hits = []
-        for axis in range(3):
-            grid = nodes.grid(axis, first - 1, last - base)
-            crossed = [_crossed(mesh, grid) for mesh in near]
-            if axis == 0:
-                self._add_lengths(crossed, grid)
-                for winding, (i, j, at, sign) in zip(windings, crossed):
-                    winding[1 : last - base + 1, 1:-1, 1:-1] = self._windings(i, j, at, sign, last - base)
-            hits.append(
-                _Hits(*map(np.concatenate, zip(*(self._hits(axis, k, c, base, top) for k, c in enumerate(crossed)))))
-            )
-        return _Slab(self, base, windings[0], windings[1], hits)
-
-    def _windings(self, i: np.ndarray, j: np.ndarray, at: np.ndarray, sign: np.ndarray, layers: int) -> np.ndarray:
-        """Winding numbers [z, y, x] at the nodes of some layers from the crossings of rays along x."""
-        shape = (layers, self.nodes.cells[1] + 1, self.nodes.cells[0] + 2)
-        place = (j * shape[1] + i) * shape[2] + self.nodes.below(at, 0)
-        return np.bincount(place, sign, int(np.prod(shape))).reshape(shape).cumsum(2)[:, :, :-1]
-
-    def _hits(
-        self, axis: int, mesh: int, crossed: Tuple[np.ndarray, ...], base: int, top: int
-    ) -> Tuple[np.ndarray, ...]:
-        """Columns of ``_Hits`` from the crossings of one mesh (0: rods, 1: envelope)."""
-        i, j, at, sign = crossed
-        below = self.nodes.below(at, axis)
-        index = {(axis + 1) % 3: i + 1, (axis + 2) % 3: j + 1, axis: below - base if axis == 2 else below}
-        met = (below > 0) & (below <= self.nodes.cells[axis])
-        if axis == 2:
-            met &= (index[2] >= 0) & (index[2] < top - base)
-        _, rows, columns = self.nodes.shape
-        met = np.nonzero(met)[0]
-        node = ((index[2] * rows + index[1]) * columns + index[0])[met]
-        none = np.zeros(len(met), np.int8)
-        return (node, at[met], sign[met], none) if mesh == 0 else (node, at[met], none, sign[met])
-
-    def _add_lengths(self, crossed: List[Tuple[np.ndarray, ...]], grid: RayGrid) -> None:
-        rods, *envelope = [sorted_crossings(c[0] * grid.count[1] + c[1], c[2], c[3]) for c in crossed]
-        self._lengths["channels"] += self._length(union_intervals(rods, *envelope), grid)
-        if envelope:
-            self._lengths["envelope"] += self._length(union_intervals(envelope[0]), grid)
-
-    def _length(self, intervals: Tuple[np.ndarray, np.ndarray, np.ndarray], grid: RayGrid) -> float:
-        """Length inside, each ray weighted by its share of a cell: half on the faces of a box."""
-        ray, start, end = intervals
-        low, high = self.nodes.places(0)[[0, -1]]
-        weight = [np.ones(count) for count in self.nodes.cells + 1]
-        if self.nodes.flush:
-            for w in weight:
-                w[[0, -1]] = 0.5
-        i, j = ray // grid.count[1] + grid.first[0], ray % grid.count[1] + grid.first[1]
-        return float(((end.clip(low, high) - start.clip(low, high)) * weight[1][i] * weight[2][j]).sum())
-
-    def volumes(self, box: float) -> Dict[str, float]:
-        """Volumes of the bodies by the rays along x, mm³; ``box``: that of the envelope if it is a box."""
-        area = float(self.nodes.step[1] * self.nodes.step[2])
-        channels = self._lengths["channels"] * area
-        envelope = box if self.nodes.flush else self._lengths["envelope"] * area
-        return {"scaffold": envelope - channels, "channels": channels}
-
-
-def _crossed(triangles: np.ndarray, grid: RayGrid) -> Tuple[np.ndarray, ...]:
-    blocks = list(crossing_blocks(triangles, grid))
-    none = [(np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0), np.zeros(0, np.int8))]
-    return tuple(np.concatenate(column) for column in zip(*(blocks or none)))
-
-
-@dataclass(frozen=True)
-class _Slab:
-    """Layers base..base + L of the nodes: winding numbers (L + 1, NY, NX) and crossings of the edges between them."""
-
-    rays: _Rays
-    base: int
-    rods: np.ndarray
-    envelope: np.ndarray
-    hits: List[_Hits]
-
-    def inside(self, body: str) -> np.ndarray:
-        """True at the nodes inside a body."""
-        return _within(body, self.rods, self.envelope)
-
-    def place(self, body: str) -> Callable[[int, np.ndarray], np.ndarray]:
-        """Return the function that puts vertices of a body on edges."""
-        return lambda axis, edges: self._points(body, axis, edges)
-
-    def _points(self, body: str, axis: int, edges: np.ndarray) -> np.ndarray:
-        """Points (N, 3) on the edges that run along the axis from the given nodes, where the body begins or ends."""
-        _, rows, columns = self.rods.shape
-        index = [edges % columns, edges // columns % rows, edges // (columns * rows) + self.base]
-        points = np.stack([self.rays.nodes.places(a)[index[a]] for a in range(3)], 1)
-        low, high = points[:, axis], self.rays.nodes.places(axis)[index[axis] + 1]
-        number = np.full(self.rods.size, -1, np.int32)
-        number[edges] = np.arange(len(edges))
-        hits = self.hits[axis]
-        edge = number[hits.node]
-        on_edge = np.nonzero(edge >= 0)[0]
-        edge, hits = edge[on_edge], _Hits(*(column[on_edge] for column in hits))
-        count = np.bincount(edge, minlength=len(edges))
-        place = (low + high) / 2
-        single = count[edge] == 1
-        place[edge[single]] = hits.at[single]
-        several = np.nonzero(~single)[0]
-        if len(several):
-            begins = self.inside(body).ravel()[edges]
-            length = self._lengths(body, edge[several], _Hits(*(column[several] for column in hits)), low, high)
-            place = np.where(count > 1, np.where(begins, low + length, high - length), place)
-        self.rays.several += int((count > 1).sum())
-        self.rays.lost += int(((count == 0) & (high > low)).sum())
-        points[:, axis] = place.clip(low + _MARGIN * (high - low), high - _MARGIN * (high - low))
-        return points
-
-    def _lengths(self, body: str, edge: np.ndarray, hits: _Hits, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-        """Length (N,) inside the body of each edge that is crossed more than once; low, high (N,): its ends."""
-        order = np.lexsort((hits.at, edge))
-        edge, hits = edge[order], _Hits(*(column[order] for column in hits))
-        first = np.nonzero(np.diff(edge, prepend=-1))[0]
-        count = np.diff(first, append=len(edge))
-        at = hits.at.clip(low[edge], high[edge])
-        windings = []
-        for start, sign in ((self.rods, hits.rods), (self.envelope, hits.envelope)):
-            total = np.cumsum(sign, dtype=np.int64)
-            windings.append(start.ravel()[hits.node] + total - np.repeat((total - sign)[first], count))
-        end = np.append(at[1:], 0.0)
-        end[first[1:] - 1], end[-1] = high[edge[first[1:] - 1]], high[edge[-1]]
-        length = np.bincount(edge, _within(body, *windings) * (end - at), len(low))
-        begins = _within(body, self.rods.ravel()[hits.node[first]], self.envelope.ravel()[hits.node[first]])
-        length[edge[first]] += begins * (at[first] - low[edge[first]])
-        return length

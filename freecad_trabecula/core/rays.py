@@ -78,9 +78,11 @@ class RayGrid:
         Raises
         ------
         ParameterError
-            If ``cells`` < 1 or the box is empty.
+            If ``cells`` < 1, the box is empty, or there is no such axis.
         """
         low, high = np.asarray(low, float), np.asarray(high, float)
+        if axis not in (0, 1, 2):
+            raise ParameterError(f"the axis of rays must be 0, 1 or 2, got {axis}")
         if cells < 1:
             raise ParameterError(f"rays per direction must be >= 1, got {cells}")
         if not (np.isfinite(low).all() and np.isfinite(high).all() and (high > low).all()):
@@ -125,6 +127,8 @@ def sorted_crossings(ray: np.ndarray, at: np.ndarray, sign: np.ndarray) -> Cross
 
 def crossing_blocks(triangles: np.ndarray, grid: RayGrid) -> Iterator[Tuple[np.ndarray, ...]]:
     """Yield crossings, not sorted, in blocks of bounded size: i and j from the grid's first, at, sign, each (H,)."""
+    if not np.isfinite(triangles).all():
+        raise MeshError("co-ordinates of triangles must be finite, got nan or infinite mm")
     met = np.nonzero(_may_meet(triangles, grid))[0]
     for start in range(0, len(met), _BLOCK // 4):
         corners, turn = _by_height(triangles[met[start : start + _BLOCK // 4]], grid.axes)
@@ -212,13 +216,8 @@ def _along_rows(
 
 def _sorted(ray: np.ndarray, at: np.ndarray, *others: np.ndarray) -> Tuple[np.ndarray, ...]:
     """All columns in the order of the rays and along them; 16-bit halves are sorted by counting, which is faster."""
-    order = np.lexsort(
-        (
-            at,
-            (ray & 0xFFFF).astype(np.uint16),
-            (ray >> 16).astype(np.uint16 if ray.max(initial=0) < 1 << 32 else np.int64),
-        )
-    )
+    upper = (ray >> 16).astype(np.uint16 if ray.max(initial=0) < 1 << 32 else np.int64)
+    order = np.lexsort((at, (ray & 0xFFFF).astype(np.uint16), upper))
     return tuple(column[order] for column in (ray, at) + others)
 
 
@@ -251,7 +250,7 @@ def union_intervals(rods: Crossings, inside: Optional[Crossings] = None) -> Tupl
         )
         ray, at, of_rods, of_inside = _sorted(*columns)
         within = (_winding(ray, of_rods) > 0) & (_winding(ray, of_inside) > 0)
-    before = np.concatenate([[False], within[:-1]])
+    before = np.concatenate([[False], within])[:-1]
     start = within & ~before
     return ray[start], at[start], at[before & ~within]
 
@@ -296,14 +295,16 @@ def union_volume(
     Raises
     ------
     MeshError
-        If a mesh is open.
+        If a mesh is open or a co-ordinate is not finite.
     ParameterError
-        If the box is empty or ``cells`` < 1.
+        As ``RayGrid.of_box``.
 
-    Notes ----- A jump D of the rays' lengths somewhere between two rays makes an error up to D/2 of a cell, evenly
-    spread: variance D²/12. It shows as two second differences of D and -D, so the sum of their squares over 24
-    estimates the variance of a row (smooth changes leave nothing). Rows err together where faces run along them: the
-    row sums are treated alike.
+    Notes
+    -----
+    A jump D of the rays' lengths somewhere between two rays makes an error up to D/2 of a cell, evenly spread:
+    variance D²/12. It shows as two second differences of D and -D, so the sum of their squares over 24 estimates the
+    variance of a row (smooth changes leave nothing). Rows err together where faces run along them: the row sums are
+    treated alike.
     """
     grid = RayGrid.of_box(low, high, cells, axis)
     envelope = None if inside is None else crossings(inside, grid)
