@@ -104,15 +104,17 @@ class CoordinateLine:
         half = self.plus if s >= 0 or self.closed else self.minus
         s = s % half.length if self.closed else abs(s)
         arcs = [station.s for station in half.stations]
-        k = min(max(bisect.bisect_right(arcs, s) - 1, 0), len(arcs) - 2)
-        if k < 0 or s - arcs[k] < self._surface.exact:
-            return half.stations[max(k, 0)].at
+        if s >= arcs[-1] - self._surface.exact:
+            return half.stations[-1].at
+        k = bisect.bisect_right(arcs, s) - 1
+        if s - arcs[k] < self._surface.exact:
+            return half.stations[k].at
         station, after = half.stations[k : k + 2]
         most = (after.point - station.point).dot(station.tangent)
         reach = most * (s - station.s) / (after.s - station.s)
         for _ in range(_REFINEMENTS):
-            length, rate = self._length(station, reach)
-            change = (s - station.s - length) / rate
+            rate = self._rate(station, self._there(station, reach))
+            change = (s - station.s - self._length(station, reach)) / rate
             reach = min(max(reach + change, 0.0), most)
             if abs(change) < self._surface.exact:
                 break
@@ -190,27 +192,31 @@ class CoordinateLine:
             raise KernelError("a co-ordinate line's plane touches the face")
         return tangent * ((1 if tangent.dot(sense) > 0 else -1) / length)
 
-    def _length(self, station: Station, reach: float, rule: Sequence = _FINE) -> Tuple[float, float]:
-        """Return the arc length (mm) from a station to ``reach`` along its tangent, and its rate there."""
+    def _length(self, station: Station, reach: float, rule: Sequence = _FINE) -> float:
+        """Return the arc length (mm) from a station to ``reach`` along its tangent."""
         total = 0.0
         for x, weight in zip(*rule):
             at = self._there(station, 0.5 * reach * (1 + x))
             total += weight * self._rate(station, at)
-        return 0.5 * reach * total, self._rate(station, self._there(station, reach))
+        return 0.5 * reach * total
 
     def _rate(self, station: Station, at: Parameters) -> float:
+        """Return the arc length per distance along a station's tangent, at a point of the line."""
         return 1.0 / self._tangent(at, station.tangent).dot(station.tangent)
 
-    def _step(self, station: Station, reach: float) -> Optional[Station]:
-        """Return the station ``reach`` ahead, or None if so long a step is not sure or not exact."""
+    def _step(self, station: Station, reach: float, last: bool) -> Optional[Station]:
+        """Return the station ``reach`` ahead, or None if so long a step is not sure or not exact.
+
+        The last one needs no tangent: it may be the apex of a cone.
+        """
         try:
             at = self._there(station, reach)
-            tangent = self._tangent(at, station.tangent)
+            tangent = station.tangent if last else self._tangent(at, station.tangent)
             if tangent.dot(station.tangent) < _TURN:
                 return None
-            length = self._length(station, reach)[0]
+            length = self._length(station, reach)
             short = reach <= _SHORTEST * self._surface.size
-            if not short and abs(length - self._length(station, reach, _COARSE)[0]) > _LENGTH_ERROR:
+            if not short and abs(length - self._length(station, reach, _COARSE)) > _LENGTH_ERROR:
                 return None
         except KernelError:
             return None
@@ -226,7 +232,7 @@ class CoordinateLine:
         for _ in range(_STATIONS):
             station = stations[-1]
             stop, reach = self._next_stop(station, step, stops)
-            after = self._step(station, reach)
+            after = self._step(station, reach, last=stop is not None)
             if after is None:
                 step = 0.5 * reach
                 if step < 1e-3 * _SHORTEST * self._surface.size:

@@ -26,6 +26,7 @@ _GRID = 24  # samples each way from which the nearest point of a face is sought
 _EDGE_SAMPLES = (64, 2048)  # least and most samples of one edge; four per pole between
 _NEAR_POLE = 1e-4  # of the parameters' range; the normal of a smooth pole is still all but the same so far from it
 _RING = 12  # starts around a pole; Newton's iteration finds its way from 30 degrees off
+_SINGULAR = 1e-9  # mm per unit of a parameter; shorter tangents have no direction
 _SMOOTH = math.cos(0.05)  # normals around a pole that part by more are those of an apex
 _TIE = 1e-6  # mm; points of a face whose distances differ by less are equally near
 
@@ -105,15 +106,20 @@ class FaceSurface:
         """
         along_u, along_v = self.tangents(at)
         normal = along_u.cross(along_v)
-        if normal.Length <= 1e-9 * along_u.Length * along_v.Length or min(along_u.Length, along_v.Length) < 1e-9:
+        if min(along_u.Length, along_v.Length) < _SINGULAR or normal.Length <= 1e-9 * along_u.Length * along_v.Length:
+            normal = self._singular_normal(at)
+        return normal * (self._sign / normal.Length)
+
+    def _singular_normal(self, at: Parameters) -> Vector:
+        """Return the kernel's normal, not turned outwards, where the tangents give none but the surface is smooth."""
+        if not self._is_apex(at):
             try:
-                normal = self.geometry.normal(*at)  # knows the poles of closed surfaces, from higher derivatives
-            except (Part.OCCError, RuntimeError, ValueError) as error:
-                raise KernelError(f"the face has no normal at ({_text(self.point(at))}) mm") from error
-        length = normal.Length
-        if not length > 0:
-            raise KernelError(f"the face has no normal at ({_text(self.point(at))}) mm")
-        return normal * (self._sign / length)
+                normal = self.geometry.normal(*at)  # the kernel takes higher derivatives
+                if normal.Length > 0:
+                    return normal
+            except (Part.OCCError, RuntimeError, ValueError):
+                pass  # told below
+        raise KernelError(f"the face has no normal at ({_text(self.point(at))}) mm")
 
     def has(self, at: Parameters) -> bool:
         """Return whether the trimmed face has the point at these parameters."""
@@ -137,17 +143,27 @@ class FaceSurface:
         First those of the nearest point as the kernel finds it; it may be the pole, where all directions are one. Then
         a ring about that, as wide as the point is far from it.
         """
-        u, v = self.nearest(point)
-        yield u, v
-        along_u, along_v = self.tangents((u, v))
-        turning, inwards = (self.u, self.v) if along_u.Length < along_v.Length else (self.v, self.u)
-        longest = max(along_u.Length, along_v.Length)
-        here = v if inwards is self.v else u
-        width = (point - self.point((u, v))).Length / longest
-        there = here + width * (1 if here < 0.5 * (inwards.low + inwards.high) else -1)
-        for k in range(_RING):
-            turned = turning.face_low + (turning.face_high - turning.face_low) * k / _RING
-            yield (turned, there) if inwards is self.v else (there, turned)
+        at = self.nearest(point)
+        yield at
+        longest = max(tangent.Length for tangent in self.tangents(at))
+        yield from self._ring(at, (point - self.point(at)).Length / longest, _RING)
+
+    def _ring(self, pole: Parameters, width: float, count: int) -> List[Parameters]:
+        """Return parameters around a pole, ``width`` (of the parameter that does not turn) inside the face."""
+        along_u, along_v = self.tangents(pole)
+        u_turns = along_u.Length < along_v.Length
+        turning, inwards, here = (self.u, self.v, pole[1]) if u_turns else (self.v, self.u, pole[0])
+        there = here + width * (1 if here < 0.5 * (inwards.face_low + inwards.face_high) else -1)
+        turned = [turning.face_low + (turning.face_high - turning.face_low) * k / count for k in range(count)]
+        return [(t, there) if u_turns else (there, t) for t in turned]
+
+    def _is_apex(self, at: Parameters) -> bool:
+        """Return whether normals around a singular point part: an apex, not a smooth pole."""
+        along_u, along_v = self.tangents(at)
+        inwards = self.v if along_u.Length < along_v.Length else self.u
+        around = self._ring(at, _NEAR_POLE * (inwards.face_high - inwards.face_low), 8)
+        crosses = [a.cross(b) for a, b in map(self.tangents, around)]
+        return not all(a.dot(b) > _SMOOTH * a.Length * b.Length for a in crosses for b in crosses)
 
     def _foot(self, point: Vector, at: Parameters) -> Parameters:
         """Sharpen the parameters of a foot point by Gauss and Newton; the start comes back if that fails."""
@@ -233,14 +249,10 @@ class FaceSurface:
         return found + [p for p in self._apexes if abs((p - base).dot(across)) < 1e-7]
 
     def _is_sharp(self, edge: Part.Edge) -> bool:
-        """Return whether a side of the parameters that is one point is an apex, not a smooth pole."""
-        curve, first, last = self.face.curveOnSurface(edge)
-        middle = [0.5 * (r.face_low + r.face_high) for r in (self.u, self.v)]
-        around = []
-        for k in range(8):
-            at = curve.value(first + (last - first) * k / 8)
-            around.append(self.normal(tuple(c + _NEAR_POLE * (m - c) for c, m in zip((at.x, at.y), middle))))
-        return not all(a.dot(b) > _SMOOTH for a in around for b in around)
+        """Return whether a side of the parameters that is one point is an apex."""
+        curve, first, _ = self.face.curveOnSurface(edge)
+        at = curve.value(first)
+        return self._is_apex((at.x, at.y))
 
 
 def edge_samples(edge: Part.Edge) -> Tuple[np.ndarray, np.ndarray]:

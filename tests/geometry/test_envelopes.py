@@ -15,9 +15,7 @@ import Part
 from freecad_trabecula.core import meshes
 from freecad_trabecula.errors import EnvelopeError, ExportError, ParameterError
 from freecad_trabecula.geometry.envelopes import box_envelope, envelope_from_shape, load_envelope
-from freecad_trabecula.geometry.extents import exact_box
 from freecad_trabecula.geometry.mesh_solids import MOST_TRIANGLES
-from freecad_trabecula.geometry.tessellation import find_crossing, tessellate
 
 Vector = FreeCAD.Vector
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -89,19 +87,6 @@ class Shapes(unittest.TestCase):
             self.assertAlmostEqual(envelope.volume / volume, 1, places=9)
             self.assertAlmostEqual(meshes.mesh_volume(envelope.mesh) / volume, 1, delta=0.02)
 
-    def test_triangles_are_within_twice_the_deflection_of_a_sphere(self):
-        for deflection in (0.2, 0.05, 0.01):
-            mesh = tessellate(Part.makeSphere(5), deflection)
-            centres = np.linalg.norm(mesh.corners.mean(1), axis=1)
-            np.testing.assert_allclose(np.linalg.norm(mesh.vertices, axis=1), 5, atol=1e-9)
-            self.assertGreater(centres.min(), 5 - 2 * deflection)
-
-    def test_triangulating_leaves_the_shape_itself_untouched(self):
-        sphere = Part.makeSphere(5)
-        coarse = len(sphere.tessellate(1.0)[1])
-        tessellate(sphere, 0.01)
-        self.assertEqual(len(sphere.tessellate(1.0)[1]), coarse)
-
     def test_a_placed_body_keeps_its_place(self):
         sphere = Part.makeCylinder(2, 6)
         sphere.Placement = FreeCAD.Placement(Vector(100, -50, 20), FreeCAD.Rotation(Vector(0, 1, 0), 90))
@@ -144,27 +129,6 @@ class Shapes(unittest.TestCase):
         self.assertRegex(envelope_from_shape(Part.makeBox(0.4, 0.1, 0.1)).notes[0], "only 0.4 mm large.*metres")
         self.assertRegex(envelope_from_shape(Part.makeBox(400000, 9, 9)).notes[0], "4e\\+05 mm large.*micrometres")
         self.assertEqual(envelope_from_shape(Part.makeBox(999, 9, 9)).notes, ())
-
-
-class ExactBoxes(unittest.TestCase):
-    def test_the_box_of_a_tilted_torus_has_its_closed_form(self):
-        axis = Vector(1, 2, 2) * (1 / 3)
-        low, high = exact_box(Part.makeTorus(5, 2, Vector(1, 2, 3), axis))
-        # Half the extent along a unit vector e: R sqrt(1 - (a.e)^2) + r.
-        half = [5 * math.sqrt(1 - c * c) + 2 for c in axis]
-        np.testing.assert_allclose(low, np.array([1, 2, 3]) - half, atol=1e-8)
-        np.testing.assert_allclose(high, np.array([1, 2, 3]) + half, atol=1e-8)
-
-    def test_the_box_of_a_spline_is_the_same_before_and_after_triangulation(self):
-        shape = Part.Shape()
-        shape.read(str(EXAMPLES / "cranial_plate.step"))
-        before = exact_box(shape)
-        shape.tessellate(0.05)
-        np.testing.assert_array_equal(before, exact_box(shape))
-        # FreeCAD's box of the triangles, from inside; its box of the poles reaches to x = -45.
-        box = shape.BoundBox
-        np.testing.assert_allclose(before[0], [box.XMin, box.YMin, box.ZMin], atol=0.01)
-        np.testing.assert_allclose(before[1], [box.XMax, box.YMax, box.ZMax], atol=0.01)
 
 
 class Files(InFolder):
@@ -278,12 +242,6 @@ class RefusedShapes(unittest.TestCase):
     def test_a_spindle_torus(self):
         self.refuse(Part.makeTorus(2, 3), "must not cross itself")
 
-    def test_domes_whose_triangles_fold_at_the_pole_are_not_taken_for_crossing(self):
-        shape = Part.Shape()
-        shape.read(str(EXAMPLES / "cranial_plate.step"))
-        for deflection in (0.005, 0.01, 0.02, 0.1):
-            self.assertIsNone(find_crossing(shape.Solids[0], deflection))
-
     def test_a_negative_deflection(self):
         with self.assertRaisesRegex(ParameterError, "deflection must be 0 mm or more, got -1 mm"):
             envelope_from_shape(Part.makeBox(1, 1, 1), deflection=-1)
@@ -304,20 +262,6 @@ class RefusedFiles(InFolder):
                 Path(self.path(name)).write_text(content)
                 with self.assertRaises(EnvelopeError, msg=name):
                     load_envelope(self.path(name))
-
-    def test_a_mesh_with_holes_is_refused_with_their_number(self):
-        mesh = mesh_of(Part.makeSphere(5), 0.5)
-        mesh.removeFacets([3, mesh.CountFacets // 2])
-        mesh.write(self.path("b.stl"))
-        with self.assertRaisesRegex(EnvelopeError, "got 2 holes with 6 open edges"):
-            load_envelope(self.path("b.stl"))
-
-    def test_a_mesh_with_an_edge_of_four_triangles_is_refused(self):
-        mesh = mesh_of(Part.makeBox(1, 1, 1))
-        mesh.addMesh(mesh_of(Part.makeBox(1, 1, 1, Vector(1, 1, 0))))
-        mesh.write(self.path("b.stl"))
-        with self.assertRaisesRegex(EnvelopeError, "1 edges of more than two"):
-            load_envelope(self.path("b.stl"))
 
     def test_a_mesh_of_too_many_triangles_is_refused_with_the_limit(self):
         path = DATA / "anatomy" / "FemurR.stl"
