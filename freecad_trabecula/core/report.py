@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
-from .bodies import Bodies, Check
+from .bodies import Check
 from .job import Job
 from .parameters import ScaffoldParameters
 from .pores import join_pores
@@ -29,6 +29,47 @@ NETWORK_STEPS = ("envelope, sites, paths", "rods")
 
 
 @dataclass(frozen=True)
+class BodyFigures:
+    """What is known of scaffold and channels (``bodies.Bodies``, or a scaffold in a document).
+
+    Attributes
+    ----------
+    engine, reason : str
+        The engine that cut the channels, and why this one.
+    envelope, added, channels, scaffold, loose, voids : float, mm³
+        Volumes: of the envelope, of layers outside of it, of what is exported, of loose pieces, of closed voids.
+    porosity, union_porosity, sum_porosity : float
+        Shares of the envelope: that is no exported scaffold; inside the rods; the plain sum of the rods.
+    pieces, openings, loose_pieces, closed_voids : int
+        Connected pieces of the exported scaffold and channels, pieces cut off all round, voids without opening.
+    watertight : bool
+        Whether scaffold and channels are closed.
+    kept : bool
+        Whether loose pieces are exported with the scaffold.
+    notes : tuple of str
+    """
+
+    engine: str
+    reason: str
+    envelope: float
+    added: float
+    channels: float
+    scaffold: float
+    loose: float
+    voids: float
+    porosity: float
+    union_porosity: float
+    sum_porosity: float
+    pieces: int
+    openings: int
+    loose_pieces: int
+    closed_voids: int
+    watertight: bool
+    kept: bool = False
+    notes: Tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Outcome:
     """What is known when a design has been made.
 
@@ -36,9 +77,9 @@ class Outcome:
     ----------
     job : Job
     wireframe : Wireframe
-    bodies : Bodies
+    bodies : BodyFigures
     checks : tuple of Check
-        Further ones, beside those of the bodies.
+        All that must hold.
     seconds : dict
         Time of each step, in order; they add up to the whole.
     files : dict
@@ -46,24 +87,16 @@ class Outcome:
     versions : dict
         Of the programs that took part.
     warnings : tuple of str
-    engine : str
-        The engine that made the scaffold, if it is not that of the bodies: ``brep``.
     """
 
     job: Job
     wireframe: Wireframe
-    bodies: Bodies
+    bodies: BodyFigures
     checks: Tuple[Check, ...] = ()
     seconds: Mapping[str, float] = field(default_factory=dict)
     files: Mapping[str, int] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: Tuple[str, ...] = ()
-    engine: str = ""
-
-    @property
-    def all_checks(self) -> Tuple[Check, ...]:
-        """Those of the bodies and the further ones."""
-        return (*self.bodies.checks, *self.checks)
 
 
 # ------------------------------------------------------------------------------------------------------- the record
@@ -87,15 +120,14 @@ def report_record(outcome: Outcome) -> Dict[str, Any]:
         "sum_porosity_percent": 100 * bodies.sum_porosity,
         "volume_mm3": volumes(bodies),
         "watertight": bodies.watertight,
-        "ok": all(check.ok for check in outcome.all_checks),
-        "checks": [dict(check._asdict(), ok=check.ok) for check in outcome.all_checks],
-        "engine": {"asked": job.scaffold.engine, "used": outcome.engine or bodies.engine, "why": bodies.reason},
+        "ok": all(check.ok for check in outcome.checks),
+        "checks": [dict(check._asdict(), ok=check.ok) for check in outcome.checks],
+        "engine": {"asked": job.scaffold.engine, "used": bodies.engine, "why": bodies.reason},
         "pieces": {
-            "scaffold": bodies.parts.pieces,
-            "channels": bodies.parts.openings,
-            "loose": len(bodies.loose),
-            "closed_voids": len(bodies.voids),
-            "slivers_removed": bodies.parts.slivers,
+            "scaffold": bodies.pieces,
+            "channels": bodies.openings,
+            "loose": bodies.loose_pieces,
+            "closed_voids": bodies.closed_voids,
         },
         "faces": face_table(job, wireframe),
         "couplings": coupling_table(wireframe),
@@ -112,20 +144,20 @@ def report_record(outcome: Outcome) -> Dict[str, Any]:
     }
 
 
-def volumes(bodies: Bodies) -> Dict[str, float]:
+def volumes(bodies: BodyFigures) -> Dict[str, float]:
     """Return the volumes, mm³: scaffold + channels + loose = envelope + layers.
 
-    ``loose`` is what is exported neither with the one nor with the other: 0 where loose pieces are kept in the scaffold.
-    ``rods`` is the plain sum of the rods, crossings counted as often as they come.
+    ``loose`` is what is exported neither with the one nor with the other: 0 where loose pieces are kept in the
+    scaffold. ``rods`` is the plain sum of the rods, crossings counted as often as they come.
     """
     return {
-        "envelope": bodies.envelope_volume,
-        "layers": bodies.added_volume,
-        "channels": bodies.parts.channel_volume,
-        "scaffold": bodies.parts.scaffold_volume,
-        "loose": 0.0 if bodies.kept else bodies.loose_volume,
-        "closed_voids": bodies.void_volume,
-        "rods": bodies.rods_volume,
+        "envelope": bodies.envelope,
+        "layers": bodies.added,
+        "channels": bodies.channels,
+        "scaffold": bodies.scaffold,
+        "loose": 0.0 if bodies.kept else bodies.loose,
+        "closed_voids": bodies.voids,
+        "rods": bodies.sum_porosity * (bodies.envelope + bodies.added),
     }
 
 

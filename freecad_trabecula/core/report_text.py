@@ -20,13 +20,7 @@ _VOLUMES = {
     "loose": "loose pieces taken away",
     "closed_voids": "closed voids",
 }
-_PIECES = {
-    "scaffold": "scaffold",
-    "channels": "channels",
-    "loose": "loose",
-    "closed_voids": "closed voids",
-    "slivers_removed": "slivers removed",
-}
+_PIECES = {"scaffold": "scaffold", "channels": "channels", "loose": "loose", "closed_voids": "closed voids"}
 
 
 def report_markdown(record: Mapping[str, Any]) -> str:
