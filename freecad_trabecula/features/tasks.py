@@ -26,6 +26,7 @@ from .face_sites import sites_on
 from .feature import is_a
 from .jobs import job_of
 from .network import Network
+from .scaffold import Scaffold, cut, scaffold_key
 from .wireframe import Inputs, Wireframe, made, wireframe_key
 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
@@ -129,11 +130,17 @@ def job_inputs(job: Job, envelope: Part.Shape, progress: Progress = silent) -> I
 
 
 def _compute(wanted: Dict[str, Any], inputs: Inputs, progress: Progress) -> List[Tuple[str, str]]:
-    """Compute one object's result; return where it is kept."""
-    kind, wireframe = wanted["kind"], made(inputs)
+    """Compute one result; return where it is kept."""
+    kind = wanted["kind"]
     if kind == Network.KIND:
-        results.keep(kind, inputs.key, network.build(wireframe, inputs.parameters.rods, None, progress))
+        rods = network.build(made(inputs), inputs.parameters.rods, None, progress)
+        results.keep(kind, inputs.key, rods)
         return [(kind, inputs.key)]
+    if kind == Scaffold.KIND:
+        parameters = from_record(ScaffoldParameters, wanted["scaffold"], "scaffold")
+        key = scaffold_key(inputs, parameters)
+        results.keep(kind, key, cut(inputs, parameters, progress)._replace(bodies=None))
+        return [(kind, key)]
     return []
 
 

@@ -133,6 +133,20 @@ def made(inputs: Inputs, progress: Progress = silent) -> core.Wireframe:
     )
 
 
+def wireframe_of(obj: Any) -> core.Wireframe:
+    """Return the numbers of a wireframe object: sites, pores, paths, end sections, recoveries.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.presets import preset
+    >>> make.wireframe_of(make.make_design(FreeCAD.newDocument(), preset("case1")).wireframe).paths.shape
+    (75, 2, 4, 3)
+    """
+    return obj.Proxy.wireframe(obj)
+
+
 def wireframe_key(envelope: str, sites: Sequence[Any], parameters: WireframeParameters) -> str:
     """Return the key of a wireframe.
 
