@@ -38,7 +38,14 @@ LAYERS = (
         ("stdlib", "numpy", "FreeCAD", ".errors", ".core", ".geometry", ".features"),
         (".gui.view_providers",),
     ),
-    ("shell", ("shell.*",), ("stdlib", "numpy", "FreeCAD", ".errors", ".core", ".make", ".shell", ".bare"), ()),
+    (
+        "shell",
+        ("shell.*",),
+        (
+            *("stdlib", "numpy", "FreeCAD", ".errors", ".core", ".geometry", ".make", ".shell", ".bare"),
+        ),
+        (),
+    ),
     (
         "gui",
         ("gui.*",),

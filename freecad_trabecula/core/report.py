@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
-from .bodies import Check
+from .bodies import Bodies, Check
 from .job import Job
 from .parameters import ScaffoldParameters
 from .pores import join_pores
@@ -97,6 +97,31 @@ class Outcome:
     files: Mapping[str, int] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: Tuple[str, ...] = ()
+
+
+def body_figures(bodies: Bodies) -> BodyFigures:
+    """Return the figures of bodies."""
+    parts = bodies.parts
+    return BodyFigures(
+        bodies.engine,
+        bodies.reason,
+        bodies.envelope_volume,
+        bodies.added_volume,
+        parts.channel_volume,
+        parts.scaffold_volume,
+        bodies.loose_volume,
+        bodies.void_volume,
+        bodies.porosity,
+        bodies.union_porosity,
+        bodies.sum_porosity,
+        parts.pieces,
+        parts.openings,
+        len(parts.loose),
+        len(parts.void_volumes),
+        bodies.watertight,
+        bodies.kept,
+        bodies.notes,
+    )
 
 
 # ------------------------------------------------------------------------------------------------------- the record
