@@ -13,12 +13,14 @@ from ..errors import MeshError
 from .booleans import combine, cut_bodies
 from .engines import Estimate, choose
 from .field import field_bodies
-from .layers import LayeredBody, Patch, layered_body
+from .layers import LayeredBody, Patch, layered_body, reaches
 from .meshes import Mesh, bounds, edge_faults, is_closed, mesh_volume, printable, require_closed
-from .parameters import ScaffoldParameters
+from .parameters import Coupling, ScaffoldParameters
 from .pieces import SLIVER, Parts, separate
 from .progress import Progress, part, silent
 from .rays import RayVolume, union_volume
+from .rods import Rods, rod_mesh, rod_volumes
+from .wireframe import Wireframe
 
 BALANCE = 1e-6  # of the envelope: scaffold + channels + loose pieces against it (mesh engine, or a box)
 FIELD = 2e-3  # of the envelope: what cells may change
@@ -225,6 +227,34 @@ def scaffold_bodies(
     return _checked(bodies, rays, tolerance)
 
 
+def wireframe_bodies(
+    wireframe: Wireframe,
+    rods: Rods,
+    couplings: Sequence[Coupling],
+    envelope: Mesh,
+    parameters: ScaffoldParameters,
+    patches: Sequence[Patch] = (),
+    progress: Progress = silent,
+) -> Bodies:
+    """Return scaffold and channels of a wireframe's ``rods`` (``wireframe.skin``), as ``scaffold_bodies`` does.
+
+    Rods are prolonged beyond the envelope first, and through outward layers that the channels go through.
+    """
+    reach = reaches(wireframe, couplings, parameters.layers, prolongation(rods))
+    vertices, triangles = rod_mesh(rods, reach)
+    plain_sum = float(rod_volumes(rods).sum())
+    return scaffold_bodies(vertices, triangles, envelope, parameters, patches, plain_sum, progress)
+
+
+def prolongation(rods: Rods) -> float:
+    """Return how far rods are prolonged so that no cap lies in or under a face, mm: a third of the widest end's radius.
+
+    A cap of radius r on the tangent plane of a hollow face of radius R lies r^2 / (2 R) under it: enough for R > 1.5 r.
+    """
+    ends = rods.rings[:, [0, -1]] - rods.stations.centres[:, [0, -1], None]
+    return float(np.linalg.norm(ends, axis=-1).max(initial=0.0)) / 3
+
+
 def _cut(
     chosen: Estimate, vertices: np.ndarray, triangles: np.ndarray, layered: LayeredBody, cell: float, progress: Progress
 ) -> Tuple[Mesh, Mesh, float]:
@@ -289,7 +319,7 @@ def _notes(bodies: Bodies) -> Iterator[str]:
     did = ("kept", "kept") if bodies.kept else ("taken away", "filled")
     if parts.loose:
         yield (
-            f"{len(parts.loose)} loose pieces, cut off all round, {bodies.loose_volume:.4g} mm3 together, "
+            f"{_counted(len(parts.loose), 'loose piece')}, cut off all round, {bodies.loose_volume:.4g} mm3 together, "
             f"the largest {parts.loose_volumes[0]:.4g} mm3: {did[0]}"
         )
         if bodies.loose_volume > NOTED * whole:
@@ -297,9 +327,13 @@ def _notes(bodies: Bodies) -> Iterator[str]:
             yield f"loose pieces are {share}: the channels cut the scaffold apart"
     if parts.void_volumes:
         volume = f"{bodies.void_volume:.4g} mm3 together"
-        yield f"{len(parts.void_volumes)} voids that no opening reaches, {volume}: {did[1]}"
+        yield f"{_counted(len(parts.void_volumes), 'void')} that no opening reaches, {volume}: {did[1]}"
         if bodies.void_volume > NOTED * whole:
             share = f"{bodies.void_volume / whole:.1%} of the envelope"
             yield f"closed voids are {share}: many channels have no way out"
     if parts.slivers:
-        yield f"{parts.slivers} shells below {SLIVER:g} mm3 left out"
+        yield f"{_counted(parts.slivers, 'shell')} below {SLIVER:g} mm3 left out"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

@@ -129,7 +129,9 @@ def _owners(inner: Sequence[Tuple[float, Mesh]], outer: Sequence[Tuple[float, Me
 
     A shell that is the only one large enough needs no rays: the cavity must lie somewhere.
     """
-    places = np.array([m.vertices[0] for _, m in inner]).reshape(-1, 3)
+    if not inner:
+        return []
+    places = np.array([m.vertices[0] for _, m in inner])
     volumes = np.array([-v for v, _ in inner])
     boxes = [bounds(shell) for _, shell in outer]
     may = np.zeros((len(outer), len(inner)), bool)
@@ -159,7 +161,7 @@ def inner_point(mesh: Mesh) -> np.ndarray:
         If it holds no volume that 81 x 81 rays would meet.
     """
     low, high = bounds(mesh)
-    for cells in (3, 9, 27, 81):
+    for cells in (3, 9, 27, 81) if (high > low).all() else ():
         grid = RayGrid.of_box(low, high, cells, 0)
         ray, start, end = union_intervals(crossings(mesh.corners, grid))
         if len(ray):
