@@ -51,8 +51,6 @@ class FieldFigures:
     step : tuple of three floats, mm
         Size of the cells.
     nodes : int
-    ray_volumes : dict of str to float, mm³
-        Volumes of both bodies from the lengths of the rays along x inside them: a second route beside the meshes' own.
     several : int
         Edges between unlike nodes that are crossed more than once, summed over the bodies: detail below the cell size;
         the vertex keeps the length inside.
@@ -62,7 +60,6 @@ class FieldFigures:
 
     step: Tuple[float, float, float]
     nodes: int
-    ray_volumes: Dict[str, float]
     several: int
     lost: int
 
@@ -144,9 +141,7 @@ def field_bodies(
             progress(slab.base, top, f"Building the {name}")
             surface.add(slab.inside(name), slab.place(name), slab.base == 0, slab.base + len(slab.rods) - 1 == top)
     progress(top, top, "Joining the slabs")
-    figures = FieldFigures(
-        tuple(nodes.step.tolist()), int(np.prod(nodes.cells + 1)), rays.volumes(volume), rays.several, rays.lost
-    )
+    figures = FieldFigures(tuple(nodes.step.tolist()), int(np.prod(nodes.cells + 1)), rays.several, rays.lost)
     return FieldBodies({name: surface.mesh() for name, surface in surfaces.items()}, figures)
 
 

@@ -164,9 +164,11 @@ def require_closed(mesh: Mesh, name: str) -> None:
 def components(mesh: Mesh) -> np.ndarray:
     """Return the number of each triangle's component, (T,) int64 from 0: triangles that share a vertex belong together.
 
-    Notes ----- Hooking and pointer jumping (Shiloach and Vishkin 1982, doi:10.1016/0196-6774(82)90008-6): every
-    vertex that has a neighbour with a lower number points to one of them, chains are cut short to their roots, edges
-    inside a tree drop out.
+    Notes
+    -----
+    Hooking and pointer jumping (Shiloach and Vishkin 1982, doi:10.1016/0196-6774(82)90008-6): every vertex that has a
+    neighbour with a lower number points to one of them, chains are cut short to their roots, edges inside a tree drop
+    out.
     """
     root = np.arange(len(mesh.vertices))
     a, b = mesh.triangles[:, :2].ravel(), mesh.triangles[:, 1:].ravel()

@@ -8,16 +8,16 @@ three axes.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple
+from typing import Callable, Iterator, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..errors import MeshError, ParameterError
 from .meshes import Mesh, bounds, mesh_volume
-from .rays import RayGrid, crossing_blocks, sorted_crossings, union_intervals
+from .rays import RayGrid, crossing_blocks
 
 # A vertex keeps this share of a cell from the nodes, so that no two fall together in single precision.
-_MARGIN = 0.02
+_MARGIN = 0.01
 _SLAB = 800_000  # nodes worked on at once: about 100 MB
 _LAYERS = 16  # but not fewer layers than these: each slab looks at its triangles anew
 _MOST_NODES = 4_000_000_000  # the vertices of more might not fit their 32-bit numbers
@@ -106,12 +106,11 @@ class Hits(NamedTuple):
 
 
 class NodeRays:
-    """Casts the rays slab by slab and keeps the totals."""
+    """Casts the rays slab by slab and counts what is unusual: see ``field.FieldFigures``."""
 
     def __init__(self, nodes: NodeGrid, rods: np.ndarray, envelope: Optional[np.ndarray]) -> None:
         self.nodes = nodes
         self.several = self.lost = 0
-        self._lengths = {"channels": 0.0, "envelope": 0.0}
         self._meshes = [rods] if envelope is None else [rods, envelope]
         self._heights = [(m[:, :, 2].min(1), m[:, :, 2].max(1)) for m in self._meshes]
 
@@ -146,7 +145,6 @@ class NodeRays:
             grid = nodes.grid(axis, first - 1, last - base)
             crossed = [_crossed(mesh, grid) for mesh in near]
             if axis == 0:
-                self._add_lengths(crossed, grid)
                 for winding, (i, j, at, sign) in zip(windings, crossed):
                     winding[1 : last - base + 1, 1:-1, 1:-1] = self._windings(i, j, at, sign, last - base)
             hits.append(
@@ -158,7 +156,13 @@ class NodeRays:
         """Winding numbers [z, y, x] at the nodes of some layers from the crossings of rays along x."""
         shape = (layers, self.nodes.cells[1] + 1, self.nodes.cells[0] + 2)
         place = (j * shape[1] + i) * shape[2] + self.nodes.below(at, 0)
-        return np.bincount(place, sign, int(np.prod(shape))).reshape(shape).cumsum(2)[:, :, :-1]
+        winding = np.bincount(place, sign, int(np.prod(shape))).reshape(shape).cumsum(2)
+        if winding[:, :, -1].any():
+            open_rays = int(np.count_nonzero(winding[:, :, -1]))
+            raise MeshError(
+                f"rods must be closed meshes: each ray must leave as often as it enters, {open_rays} do not"
+            )
+        return winding[:, :, :-1]
 
     def _hits(
         self, axis: int, mesh: int, crossed: Tuple[np.ndarray, ...], base: int, top: int
@@ -175,30 +179,6 @@ class NodeRays:
         node = ((index[2] * rows + index[1]) * columns + index[0])[met]
         none = np.zeros(len(met), np.int8)
         return (node, at[met], sign[met], none) if mesh == 0 else (node, at[met], none, sign[met])
-
-    def _add_lengths(self, crossed: List[Tuple[np.ndarray, ...]], grid: RayGrid) -> None:
-        rods, *envelope = [sorted_crossings(c[0] * grid.count[1] + c[1], c[2], c[3]) for c in crossed]
-        self._lengths["channels"] += self._length(union_intervals(rods, *envelope), grid)
-        if envelope:
-            self._lengths["envelope"] += self._length(union_intervals(envelope[0]), grid)
-
-    def _length(self, intervals: Tuple[np.ndarray, np.ndarray, np.ndarray], grid: RayGrid) -> float:
-        """Length inside, each ray weighted by its share of a cell: half on the faces of a box."""
-        ray, start, end = intervals
-        low, high = self.nodes.places(0)[[0, -1]]
-        weight = [np.ones(count) for count in self.nodes.cells + 1]
-        if self.nodes.flush:
-            for w in weight:
-                w[[0, -1]] = 0.5
-        i, j = ray // grid.count[1] + grid.first[0], ray % grid.count[1] + grid.first[1]
-        return float(((end.clip(low, high) - start.clip(low, high)) * weight[1][i] * weight[2][j]).sum())
-
-    def volumes(self, box: float) -> Dict[str, float]:
-        """Volumes of the bodies by the rays along x, mm³; ``box``: that of the envelope if it is a box."""
-        area = float(self.nodes.step[1] * self.nodes.step[2])
-        channels = self._lengths["channels"] * area
-        envelope = box if self.nodes.flush else self._lengths["envelope"] * area
-        return {"scaffold": envelope - channels, "channels": channels}
 
 
 def _crossed(triangles: np.ndarray, grid: RayGrid) -> Tuple[np.ndarray, ...]:

@@ -179,12 +179,12 @@ def _at_height(edges: np.ndarray, v: np.ndarray) -> Tuple[np.ndarray, np.ndarray
     return edges[:, 0] + climbed * edges[:, 3], edges[:, 2] + climbed * edges[:, 4]
 
 
-def _expanded(first: np.ndarray, count: np.ndarray, block: int = _BLOCK) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
-    """Yield (item, first[item] + 0..count[item]-1) for all items, about ``block`` pairs at a time."""
+def _expanded(first: np.ndarray, count: np.ndarray) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+    """Yield (item, first[item] + 0..count[item]-1) for all items, about ``_BLOCK`` pairs at a time."""
     total = np.concatenate([[0], np.cumsum(count, dtype=np.int64)])
     start = 0
     while start < len(count):
-        end = max(start + 1, int(np.searchsorted(total, total[start] + block, side="right")) - 1)
+        end = max(start + 1, int(np.searchsorted(total, total[start] + _BLOCK, side="right")) - 1)
         some = count[start:end]
         item = np.repeat(np.arange(start, end), some)
         if len(item):
@@ -312,7 +312,7 @@ def union_volume(
     length = end.clip(low[axis], high[axis]) - start.clip(low[axis], high[axis])
     lengths = np.bincount(ray, length, cells * cells).reshape(cells, cells)
     area = grid.step[0] * grid.step[1]
-    return RayVolume(float(lengths.sum() * area), _standard_error(lengths) * area)
+    return RayVolume(float(lengths.sum() * area), float(_standard_error(lengths) * area))
 
 
 def _standard_error(lengths: np.ndarray) -> float:
