@@ -9,7 +9,7 @@ from typing import Callable, Dict, NamedTuple, Optional, Tuple
 from ..errors import ParameterError
 from .job import Job, opposite_couplings
 from .laws import uniform
-from .parameters import PathParameters, PoreParameters, PrismParameters
+from .parameters import Coupling, FaceParameters, PathParameters, PoreParameters, PrismParameters
 
 
 class ThesisFigures(NamedTuple):
@@ -73,8 +73,66 @@ def example_file(name: str) -> str:
     return str(Path(__file__).resolve().parents[2] / "resources" / "examples" / name)
 
 
+#: Faces of cranial_plate.step in the letters of Fig. 4.9: face, c_u, c_v, b_u, b_v (table 4.1 where its values fit).
+#: The rim is 6.2 mm high: the table's borders of 5 mm (I, K) would leave no site, those of F, G, H, J, L leave so many
+#: that table 4.2's couplings would starve, and L's c_v of 0.5 mm is less than the largest pore.
+_CRANIAL_FACES: Dict[str, Tuple[str, float, float, float, float]] = {
+    "A": ("Face1", 3.0, 3.0, 3.5, 1.5),
+    "B": ("Face7", 1.5, 1.5, 0.5, 0.5),
+    "C": ("Face8", 2.0, 2.0, 0.5, 0.5),
+    "D": ("Face5", 1.5, 1.5, 0.3, 0.3),
+    "E": ("Face12", 3.0, 3.0, 1.5, 1.0),
+    "F": ("Face6", 1.5, 1.5, 1.5, 1.0),
+    "G": ("Face2", 1.5, 1.5, 1.7, 1.0),
+    "H": ("Face11", 1.5, 1.5, 1.2, 0.5),
+    "I": ("Face9", 1.5, 1.5, 0.5, 0.5),
+    "J": ("Face3", 1.0, 1.0, 2.5, 2.5),
+    "K": ("Face10", 1.5, 1.5, 1.0, 0.5),
+    "L": ("Face4", 1.0, 1.0, 3.0, 1.5),
+}
+#: Table 4.2, in its order.
+_CRANIAL_COUPLINGS = ("LC", "FI", "KD", "DI", "HD", "GB", "BL", "JB", "HB", "AE")
+_Y, _X, _Z = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+
+
+def _cranial() -> Job:
+    """The craniofacial study (thesis 4.3.1) on a plate of the same kind; its Y and X are the thesis' Z and X."""
+    broad = {"d1": _Y, "d2": _X}
+    faces = tuple(
+        FaceParameters(face, letter, c_u=c_u, c_v=c_v, b_u=b_u, b_v=b_v, **(broad if letter in "AE" else {}))
+        for letter, (face, c_u, c_v, b_u, b_v) in _CRANIAL_FACES.items()
+    )
+    return Job(
+        name="cranial",
+        envelope=example_file("cranial_plate.step"),
+        faces=faces,
+        path=PathParameters("centre"),
+        couplings=tuple(Coupling(*pair) for pair in _CRANIAL_COUPLINGS),
+    )
+
+
+def _femur() -> Job:
+    """The humerus study (thesis 4.3.2) on a femur's metaphysis of the same size; lines run along the bone.
+
+    Table 4.4's directions belong to a bone that lies otherwise: here they would bring 117 sites within a pore of
+    another.
+    """
+    spacing = {"d1": _Z, "d2": _X, "c_u": 1.25, "c_v": 1.25, "b_u": 0.25, "b_v": 0.25}
+    return Job(
+        name="femur",
+        envelope=example_file("femur_metaphysis.step"),
+        faces=(
+            FaceParameters("Face1", "A", origin=(11.16, 20.17, 12.88), **spacing),
+            FaceParameters("Face2", "B", origin=(11.04, 4.3, 12.88), **spacing),
+        ),
+        pores=PoreParameters(size=uniform(0.2, 0.4)),
+        path=_BOX,
+        couplings=(Coupling("A", "B"),),
+    )
+
+
 _MAKERS: Dict[str, Callable[[], Job]] = {name: (lambda name=name: _case(name)) for name in _CASES}
-_MAKERS["prism420"] = _prism420
+_MAKERS.update(prism420=_prism420, cranial=_cranial, femur=_femur)
 
 PRESETS: Tuple[str, ...] = tuple(_MAKERS)
 

@@ -29,7 +29,10 @@ REMEDIES: Dict[str, Tuple[str, ...]] = {
     "outside": ("middle", "tension", "lean"),
 }
 TENSION_STEP = 0.1  # mm, thesis 4.2.4
-_STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is 
+FULL_LEAN = 10.0  # of the last remedy: all sections but those at the very ends are normal to the path
+_BLOCK = 8  # attempts worked out at once
+_FAULTY = 10**9  # more than any number of points outside
+_STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is
 #: Sizes from the ends of a rod: nearer, a section in the tangent plane stands out of a curved face by its nature.
 _CLEAR = 1.0
 
@@ -97,36 +100,41 @@ class _Work:
     ) -> None:
         self.wireframe, self.parameters, self.region, self.contains = raw, parameters, region, contains
         couplings = parameters.couplings
+        chord = np.linalg.norm(raw.paths[:, 1, 3] - raw.paths[:, 0, 0], axis=1)
+        along = (
+            np.einsum("rx,rex->re", raw.paths[:, 1, 3] - raw.paths[:, 0, 0], raw.ends.frames[:, :, 2])
+            / np.maximum(chord, 1e-9)[:, None]
+        )
+        #: Between opposite faces a tension beyond the chord makes loops; a path that turns back needs twice the chord
+        #: (a half circle's Hermite tangents), one that turns at both ends thrice.
+        self._most_tension = chord * (2 - along.sum(1) / 2)
         self.paths_of = [couplings[k].path or parameters.path for k in raw.coupling.tolist()]
 
     def mend_group(self, group: np.ndarray, fault: str) -> List[Recovery]:
         """Try the remedies for one fault on rods ``group`` (indices), all at once; return one Recovery a rod."""
-        attempts, remedy = dict.fromkeys(group.tolist(), 0), dict.fromkeys(group.tolist(), "none")
-        best = {k: self._badness(np.array([k]))[0] for k in group.tolist()}
+        rods = group.tolist()
+        attempts, remedy = dict.fromkeys(rods, 0), dict.fromkeys(rods, "none")
+        best = dict(zip(rods, self._badness(without(self.wireframe, group)).tolist()))
         for name in REMEDIES[fault]:
-            for step in range(1, self._steps(name) + 1):
-                left = np.array(
-                    [k for k in group.tolist() if remedy[k] == "none" and self._applies(name, k, step)], int
-                )
-                if not len(left):
+            for first in range(1, self._steps(name, rods) + 1, _BLOCK):
+                steps = range(first, first + _BLOCK)
+                left = [(k, step) for k in rods if best[k] > 0 for step in steps if self._applies(name, k, step)]
+                if not left:
                     break
-                trial = self._apply(name, left, step)
-                badness = self._badness(left, trial)
-                for at, k in enumerate(left.tolist()):
-                    attempts[k] += 1
-                    if badness[at] < best[k]:
-                        best[k] = badness[at]
+                which, at_step = np.array(left, int).T
+                trial = self._apply(name, which, at_step)
+                for at, (k, badness) in enumerate(zip(which.tolist(), self._badness(trial).tolist())):
+                    attempts[k] += best[k] > 0  # those of the block that come after the first success do not count
+                    if badness < best[k]:
+                        best[k], remedy[k] = badness, name
                         self._keep(trial, at, k)
-                        if badness[at] == 0:
-                            remedy[k] = name
         names = self.wireframe.names
-        return [Recovery(names[k], fault, remedy[k], attempts[k]) for k in group.tolist()]
+        return [Recovery(names[k], fault, remedy[k], attempts[k]) for k in rods]
 
-    def _steps(self, remedy: str) -> int:
+    def _steps(self, remedy: str, rods: List[int]) -> int:
         if remedy not in ("tension", "lean"):
             return self.parameters.rods.redraws
-        chord = np.linalg.norm(self.wireframe.paths[:, 1, 3] - self.wireframe.paths[:, 0, 0], axis=1)
-        return int(np.ceil(chord.max() / TENSION_STEP))
+        return int(np.ceil(self._most_tension[rods].max() / TENSION_STEP))
 
     def _applies(self, remedy: str, rod: int, step: int) -> bool:
         path = self.paths_of[rod]
@@ -134,39 +142,39 @@ class _Work:
             return path.kind == "box" or (path.kind == "centre" and len(path.points) > 1)
         if remedy == "tangents":
             return self.parameters.pores.layout == "spline"
-        # a tension beyond the chord makes loops
-        chord = np.linalg.norm(self.wireframe.paths[rod, 1, 3] - self.wireframe.paths[rod, 0, 0])
-        return path.kind not in ("orthogonal", "straight") and step * TENSION_STEP <= chord
+        return path.kind not in ("orthogonal", "straight") and step * TENSION_STEP <= self._most_tension[rod]
 
-    def _badness(self, which: np.ndarray, trial: Optional[Wireframe] = None) -> np.ndarray:
+    def _badness(self, trial: Wireframe) -> np.ndarray:
         """Return 0 for a sound rod; else the points outside, or a large number for a fault of the rod itself."""
-        trial = trial or without(self.wireframe, which)
         rods = build_rods(trial.paths, trial.ends, _STATIONS, _POINTS)
-        faulty = np.any(list(rod_faults(rods).values()), 0)
-        counts = outside_counts(rods, trial, self.contains) if self.contains is not None else np.zeros(len(trial), int)
-        return np.where(faulty, 10**9, counts)
+        badness = np.where(np.any(list(rod_faults(rods).values()), 0), _FAULTY, 0)
+        sound = np.nonzero(badness == 0)[0]
+        if self.contains is not None and len(sound):
+            some = without(trial, sound)
+            badness[sound] = outside_counts(build_rods(some.paths, some.ends, _STATIONS, _POINTS), some, self.contains)
+        return badness
 
-    def _apply(self, remedy: str, which: np.ndarray, step: int) -> Wireframe:
+    def _apply(self, remedy: str, which: np.ndarray, steps: np.ndarray) -> Wireframe:
         part = without(self.wireframe, which)
         ends = part.ends
         p0, p1 = part.paths[:, 0, 0], part.paths[:, 1, 3]
         if remedy in ("tension", "lean"):
-            leaning = np.ones(len(which)) if remedy == "lean" else ends.leans
-            tension = np.full(len(which), step * TENSION_STEP)
+            leaning = np.full(len(which), FULL_LEAN) if remedy == "lean" else ends.leans
+            tension = steps * TENSION_STEP
             paths = tension_paths(p0, ends.frames[:, 0, 2], p1, ends.frames[:, 1, 2], tension, tension)
             return replace(part, paths=paths, ends=replace(ends, leans=leaning))
         if remedy == "middle":
             paths = part.paths.copy()
-            for at, k in enumerate(which.tolist()):
+            for at, (k, step) in enumerate(zip(which.tolist(), steps.tolist())):
                 frames = ends.frames[at : at + 1]
                 paths[at] = draw_paths(
                     self.paths_of[k], [part.names[at]], p0[at : at + 1], frames[:, 0, 2], p1[at : at + 1],
                     frames[:, 1, 2], self.region, self.parameters.seed, step,
                 )[0]  # fmt: skip
             return replace(part, paths=paths)
-        return replace(part, ends=self._redrawn_ends(part, step))
+        return replace(part, ends=self._redrawn_ends(part, steps))
 
-    def _redrawn_ends(self, part: Wireframe, step: int) -> RodEnds:
+    def _redrawn_ends(self, part: Wireframe, steps: np.ndarray) -> RodEnds:
         """New tangents for both end sections (sizes stay)."""
         first, second = [], []
         for at in range(len(part)):
@@ -174,7 +182,7 @@ class _Work:
             for end, (face, column) in enumerate(((coupling.first, first), (coupling.second, second))):
                 sites = part.sites[face]
                 one = int(part.site_numbers[at, end])
-                column.append(self._redraw(sites, one, step))
+                column.append(self._redraw(sites, one, int(steps[at])))
         ends = part.ends
         return replace(
             ends,

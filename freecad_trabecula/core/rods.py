@@ -32,7 +32,8 @@ class RodEnds:
     first, second : Pores
         End sections in those axes.
     leans : ndarray (R,)
-        0..1: tilt of each rod's inner section planes towards its path's normal planes; full half-way, none at the ends.
+        Tilt of each rod's section planes towards its path's normal planes: none at the ends, ``lean`` (at most 1, fully
+        normal) half-way, 4 w (1 - w) times ``lean`` in between; large values make all but the ends fully normal.
     rolls : bool
         True if the second section has a place of its own (two sections); False if the first is carried along (one
         section).
@@ -125,7 +126,8 @@ def section_frames(ends: RodEnds, tangents: np.ndarray, shares: np.ndarray) -> T
     if ends.leans.any():
         across = np.cross(n, tangents)
         sine = np.linalg.norm(across, axis=-1)
-        tilt = ends.leans[:, None] * 4 * shares * (1 - shares) * np.arctan2(sine, (n * tangents).sum(-1))
+        share = np.minimum(ends.leans[:, None] * 4 * shares * (1 - shares), 1.0)
+        tilt = share * np.arctan2(sine, (n * tangents).sum(-1))
         u, n = (_rotate(a, _unit(across), tilt) for a in (u, n))
     return np.stack([u, np.cross(n, u), n], 2), turns
 
