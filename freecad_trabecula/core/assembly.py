@@ -41,6 +41,20 @@ def make_wireframe(
     ParameterError
         If a coupling cannot be made.
     """
+    raw = draft_wireframe(parameters, sites, region, progress)
+    progress(2, 3, "faults")
+    mended = mend(raw, parameters, region, contains)
+    progress(3, 3, "wireframe")
+    return mended
+
+
+def draft_wireframe(
+    parameters: WireframeParameters, sites: Dict[str, Sites], region: Region, progress: Progress = silent
+) -> Wireframe:
+    """Return the wireframe before faults are looked for: what a preview shows while a value is being dragged.
+
+    Arguments and errors are those of ``make_wireframe``.
+    """
     progress(0, 3, "couplings")
     pairs, rows = couple(parameters.couplings, sites, parameters.seed)
     progress(1, 3, "pores and paths")
@@ -50,11 +64,7 @@ def make_wireframe(
         )
         for face, s in sites.items()
     }
-    raw = _assemble(parameters, sites, drawn, pairs, tuple(rows), region)
-    progress(2, 3, "faults")
-    mended = mend(raw, parameters, region, contains)
-    progress(3, 3, "wireframe")
-    return mended
+    return _assemble(parameters, sites, drawn, pairs, tuple(rows), region)
 
 
 def _assemble(
