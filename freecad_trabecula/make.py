@@ -4,7 +4,7 @@
 Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_face_sites``, ``make_wireframe``, then
 ``make_network`` (solids) and ``make_scaffold`` (mesh). At once: ``make_design``, ``change_design``; back: ``job_of``.
 By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers: ``wireframe_of``,
-``bodies_of``. In another process: ``write_task``, ``run_task``, ``take_results``.
+``bodies_of``. Files: ``export``. In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from .features.designs import Design, change_design, make_design
 from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
+from .features.exports import export
 from .features.feature import update
 from .features.jobs import job_of
 from .features.makers import (
@@ -37,6 +38,7 @@ __all__ = [
     "body_objects",
     "change_design",
     "edits_of",
+    "export",
     "job_of",
     "make_box",
     "make_design",

@@ -16,6 +16,7 @@ from .base import add_parameters
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 SCHEMA_VERSION = 1
 UP_TO_DATE = "up to date"
+ERROR = "error: "
 
 
 class Property(NamedTuple):
@@ -75,12 +76,12 @@ class Feature:
 
     def execute(self, obj: Any) -> None:
         """Compute again. On an error the object keeps what it had, and ``Status`` and the report view say why."""
-        status = "error: the computation broke off; the report view says where"
+        status = f"{ERROR}the computation broke off; the report view says where"
         try:
             self.check_schema(obj)
             status = self.compute(obj) or UP_TO_DATE
         except TrabeculaError as error:
-            status = f"error: {error}"
+            status = f"{ERROR}{error}"
             FreeCAD.Console.PrintLog(traceback.format_exc())
             raise error.with_traceback(None) from None  # the report view shows the sentence, not our way to it
         finally:
@@ -170,4 +171,5 @@ def update(obj: Any, progress: Progress = silent) -> None:
     obj.touch()
     obj.Document.recompute([obj])
     if not obj.isValid():
-        raise KernelError(f"{obj.Label} could not be computed: {getattr(obj, 'Status', '') or 'the kernel refused it'}")
+        status = getattr(obj, "Status", "") or "the kernel refused it"
+        raise KernelError(f"{obj.Label} could not be computed: {status.replace(ERROR, '', 1)}")

@@ -10,19 +10,15 @@ import numpy as np
 import Part
 
 from ..core import wireframe as core
-from ..core.bodies import Bodies, scaffold_bodies
-from ..core.layers import Patch, reaches, welded_patch
+from ..core.bodies import Bodies, wireframe_bodies
+from ..core.layers import Patch, welded_patch
 from ..core.parameters import LayerParameters, ScaffoldParameters
 from ..core.progress import Progress, silent
-from ..core.rods import rod_mesh, rod_volumes
 from ..core.wireframe import Wireframe, WireframeParameters
 from ..errors import KernelError
 from .design import SitedFace
 from .envelopes import Envelope
 from .vectors import point_array
-
-#: Mean sizes by which rods are prolonged at both ends: a cap in the tangent plane of a hollow face would leave a skin.
-BEYOND = 0.5
 
 
 def make_bodies(
@@ -50,16 +46,13 @@ def make_bodies(
     EnvelopeError
         If a face with a layer is not there.
     TrabeculaError
-        As ``core.bodies.scaffold_bodies`` says.
+        As ``core.bodies.wireframe_bodies`` says.
     """
     layers = labelled(scaffold.layers, faces, envelope)
     patches = [face_patch(face_of(name, faces, envelope), envelope.deflection) for name in layers.faces]
     rods = core.skin(wireframe, parameters.rods)
-    reach = reaches(wireframe, parameters.couplings, layers, BEYOND * wireframe.mean_size)
-    vertices, triangles = rod_mesh(rods, reach)
-    total = float(rod_volumes(rods).sum())
     scaffold = replace(scaffold, layers=layers)
-    return scaffold_bodies(vertices, triangles, envelope.mesh, scaffold, patches, total, progress)
+    return wireframe_bodies(wireframe, rods, parameters.couplings, envelope.mesh, scaffold, patches, progress)
 
 
 def face_of(name: str, faces: Dict[str, SitedFace], envelope: Envelope) -> Part.Face:

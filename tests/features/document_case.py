@@ -13,6 +13,8 @@ from freecad_trabecula.core.job import Job, opposite_couplings
 from freecad_trabecula.core.parameters import PathParameters, PrismParameters
 from freecad_trabecula.features import results
 
+NO_BOOLEANS = "manifold3d is not installed: nothing that needs mesh Booleans is tested"
+
 
 def small_job(n=3, kind="straight", association="random", **more):
     """Return a job of 3 n^2 rods in a 10 mm cube."""

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameter classes as properties and back; states, migrations, errors of all objects."""
+"""Parameter classes as properties and back; records as lines."""
 
 import dataclasses
 import sys
 import unittest
 from pathlib import Path
-
-import FreeCAD
 
 sys.path.append(str(Path(__file__).resolve().parent))
 from document_case import DocumentCase, small_job
@@ -24,8 +22,7 @@ from freecad_trabecula.core.parameters import (
     SiteEdit,
 )
 from freecad_trabecula.errors import ParameterError
-from freecad_trabecula.features import base, feature
-from freecad_trabecula.features.wireframe import Wireframe
+from freecad_trabecula.features import base
 
 #: One object of each class with no field at its default.
 UNUSUAL = (
@@ -138,59 +135,3 @@ class RecordsTest(unittest.TestCase):
     def test_an_unknown_key_is_refused_with_those_that_are_known(self):
         with self.assertRaisesRegex(ParameterError, "coupling 1 has no key 'frist'; known are first, second"):
             base.records_of(['{"frist": "A", "second": "B"}'], Coupling, "coupling")
-
-
-class Renamed(Wireframe):
-    """A wireframe of the next schema, in which a property has another name."""
-
-    MIGRATIONS = {0: lambda obj: setattr(obj, "Seed", obj.Seed + 100)}
-
-
-class FeatureTest(DocumentCase):
-    def test_a_proxy_keeps_nothing(self):
-        proxy = self.make(small_job()).wireframe.Proxy
-        self.assertEqual(vars(proxy), {})
-        for state in (proxy.dumps(), proxy.loads(None), proxy.__getstate__(), proxy.__setstate__(None)):
-            self.assertIsNone(state)
-
-    def test_an_object_of_an_older_schema_is_brought_up_step_by_step(self):
-        wireframe = self.make(small_job()).wireframe
-        wireframe.SchemaVersion = 0
-        wireframe.removeProperty("RodRedraws")
-        Renamed.onDocumentRestored(Renamed.__new__(Renamed), wireframe)
-        self.assertEqual(wireframe.SchemaVersion, feature.SCHEMA_VERSION)
-        self.assertEqual(wireframe.Seed, 101)
-        self.assertEqual(wireframe.RodRedraws, RodParameters().redraws)
-
-    def test_an_object_of_a_later_schema_is_left_as_it_is_and_says_so(self):
-        wireframe = self.make(small_job()).wireframe
-        wireframe.SchemaVersion = 99
-        wireframe = self.reopened().getObject("Wireframe")
-        shown = len(wireframe.Shape.Edges)
-        wireframe.touch()
-        self.document.recompute()
-        self.assertFalse(wireframe.isValid())
-        self.assertRegex(wireframe.Status, "later version.*schema must be at most 1, got 99")
-        self.assertEqual(len(wireframe.Shape.Edges), shown)
-
-    def test_results_are_read_only_and_do_not_touch_their_object(self):
-        wireframe = self.make(small_job()).wireframe
-        self.assertIn("ReadOnly", wireframe.getEditorMode("Rods"))
-        wireframe.Status = "something"
-        self.assertEqual(wireframe.State, ["Up-to-date"])
-
-    def test_an_unforeseen_error_leaves_the_object_in_error_with_a_status(self):
-        class Broken(feature.Feature):
-            def compute(self, obj):
-                raise ZeroDivisionError
-
-        obj = self.document.addObject("App::FeaturePython", "Broken")
-        proxy = Broken(obj)
-        with self.assertRaises(ZeroDivisionError):
-            proxy.execute(obj)
-        self.assertRegex(obj.Status, "^error: ")
-        obj.Proxy = None
-
-
-if FreeCAD.GuiUp:
-    raise unittest.SkipTest("runs in the console")
