@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sections one below the other, of which one is open; each header says in a few words what is inside."""
+
+from __future__ import annotations
+
+from typing import Any, List, Tuple
+
+from PySide import QtCore, QtGui
+
+
+class Accordion(QtGui.QWidget):
+    """Headers with pages; a click on a header opens its page and closes the others, a second click closes it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._pages: List[Tuple[Any, Any, str]] = []
+        self._column = QtGui.QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(2)
+
+    def add(self, title: str, picture: Any, page: Any) -> None:
+        """Add a section; the first one is open."""
+        number = len(self._pages)
+        header = QtGui.QPushButton(title)
+        header.setIcon(picture)
+        header.setCheckable(True)
+        header.setStyleSheet("QPushButton { text-align: left; padding: 2px 6px; }")
+        header.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+        header.clicked.connect(lambda *_: self.open(-1 if self.opened() == number else number))
+        holder = QtGui.QWidget()
+        inside = QtGui.QVBoxLayout(holder)
+        inside.setContentsMargins(8, 4, 2, 6)
+        inside.addWidget(page)
+        self._pages.append((header, holder, title))
+        self._column.addWidget(header)
+        self._column.addWidget(holder)
+        self.open(0)
+
+    def open(self, number: int) -> None:
+        """Open one section; -1 closes all."""
+        for k, (header, page, _) in enumerate(self._pages):
+            header.setChecked(k == number)
+            page.setVisible(k == number)
+
+    def opened(self) -> int:
+        """Return the open section, -1 if none is."""
+        return next((k for k, (header, page, _) in enumerate(self._pages) if not page.isHidden()), -1)
+
+    def set_summary(self, number: int, text: str) -> None:
+        """Show what a section holds, beside its title."""
+        header, _, title = self._pages[number]
+        words = f"{title}:  {text}" if text else title
+        header.setToolTip(words)
+        room = max(header.width(), 200) - 40
+        header.setText(header.fontMetrics().elidedText(words, QtCore.Qt.ElideRight, room))

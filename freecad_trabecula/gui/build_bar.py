@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is to be built, the button that builds it, and the progress of the work."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Sequence, Tuple
+
+import FreeCAD
+from PySide import QtGui
+
+from .child_work import Progress, time_text
+from .fields import row_widget
+from .qt import icon
+
+translate = FreeCAD.Qt.translate
+
+
+class BuildBar(QtGui.QWidget):
+    """Switches for the bodies, a button; while work goes on a bar and another button in their place.
+
+    Parameters
+    ----------
+    kinds : sequence of (kind, text, chosen)
+        Bodies that can be built, kinds as ``features.results`` has them.
+    build, cancel : callable
+        Called by the two buttons.
+    """
+
+    def __init__(
+        self, kinds: Sequence[Tuple[str, str, bool]], build: Callable[[], None], cancel: Callable[[], None]
+    ) -> None:
+        super().__init__()
+        self.boxes = {}
+        self._choice, self._work = row_widget(), row_widget()
+        for kind, text, chosen in kinds:
+            box = QtGui.QCheckBox(text)
+            box.setChecked(chosen)
+            self.boxes[kind] = box
+            self._choice.layout().addWidget(box)
+        self.build_button = self._button(translate("Trabecula", "Build"), "Trabecula_scaffold", build)
+        self._choice.layout().addWidget(self.build_button, 1)
+        self.bar = QtGui.QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.cancel_button = self._button(translate("Trabecula", "Cancel"), "", cancel)
+        self._work.layout().addWidget(self.bar, 1)
+        self._work.layout().addWidget(self.cancel_button)
+        self.what = QtGui.QLabel()
+        column = QtGui.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(3)
+        for widget in (self._choice, self._work, self.what):
+            column.addWidget(widget)
+        self.show_idle()
+
+    @staticmethod
+    def _button(text: str, picture: str, pressed: Callable[[], None]) -> Any:
+        button = QtGui.QPushButton(text)
+        if picture:
+            button.setIcon(icon(picture))
+        button.clicked.connect(lambda *_: pressed())
+        return button
+
+    def chosen(self) -> Tuple[str, ...]:
+        """Return the kinds that are to be built."""
+        return tuple(kind for kind, box in self.boxes.items() if box.isChecked())
+
+    def show_idle(self) -> None:
+        """Show the switches and the button."""
+        self._choice.show()
+        self._work.hide()
+        self.what.hide()
+
+    def show_working(self) -> None:
+        """Show the bar, empty, in their place."""
+        self._choice.hide()
+        self._work.show()
+        self.what.show()
+        self.show_progress(Progress(0.0, translate("Trabecula", "starting"), None))
+
+    def show_progress(self, progress: Progress) -> None:
+        """Show how far the work is, what is being done, and how long is left."""
+        self.bar.setValue(int(1000 * progress.share))
+        text = progress.what
+        if progress.left is not None:
+            text += translate("Trabecula", ", about {} left").format(time_text(progress.left))
+        self.what.setText(text)

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The design panel: its form, the live preview, picking, and what is made of it in the end."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Tuple
+
+import FreeCAD
+import FreeCADGui
+import Part
+from PySide import QtCore, QtGui
+
+from .. import make
+from ..core.job import Job
+from ..core.presets import preset
+from ..errors import TrabeculaError
+from . import panels
+from .build_bar import BuildBar
+from .building import MAKERS, Building, Listener, Target, put_into_document
+from .design_form import Callbacks, DesignForm, Envelope
+from .outcome import Outcome
+from .picking import FacePicker, is_solid
+from .preview import Preview
+from .preview_worker import Estimate, Outline, PreviewWorker, Request
+from .qt import Buttons, flags_of, icon, invoke_later, widen_dock
+from .transactions import told
+from .transparency import ClearView
+from .view_providers import products_of
+
+translate = FreeCAD.Qt.translate
+WIDTH = 385  # pixels that the form needs
+DRAG_PAUSE = 30  # ms that a value must rest before it is previewed: a burst of signals is one change
+
+
+class DesignPanel:
+    """A task panel on one document.
+
+    Parameters
+    ----------
+    document : App.Document
+    job : Job
+    envelope : document object or None
+        None means a new prism.
+    wireframe : document object or None
+        The design that is to be changed; None means a new one.
+    """
+
+    def __init__(self, document: Any, job: Job, envelope: Any = None, wireframe: Any = None) -> None:
+        self.document, self.envelope, self.wireframe = document, envelope, wireframe
+        self._open = True
+        self._building: Optional[Building] = None
+        self._wanted: Optional[Job] = None
+        self._drawn: Optional[Job] = None
+        self._seen = False
+        self._solid: Tuple[Any, Optional[Part.Shape]] = (None, None)
+        self.picker, self._clear_view = FacePicker(self._picked), ClearView()
+        self._origin_wanted = False
+        self.fields = DesignForm(
+            Callbacks(self._changed, self._take_preset, self._take_envelope, self._pick_faces, self._pick_origin)
+        )
+        self.outcome = Outcome(self._show_parts)
+        self.build_bar = BuildBar(self._kinds(), self.build, self.cancel)
+        self.form = self._make_form()
+        self.preview = Preview(view_of(document))
+        self.worker = PreviewWorker()
+        self.worker.drawn.connect(self._show_outline)
+        self.worker.estimated.connect(self._show_estimate)
+        self.worker.refused.connect(self.outcome.show_error)
+        self._pause = QtCore.QTimer(self.form)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(DRAG_PAUSE)
+        self._pause.timeout.connect(self._request)
+        FreeCAD.addDocumentObserver(self)
+        self._offer_envelopes(fixed=wireframe is not None)
+        self.fields.set_job(job)
+        self._show_envelope()
+        self._request()
+        invoke_later(lambda: widen_dock(self.form, WIDTH))
+
+    def _make_form(self) -> Any:
+        form = QtGui.QWidget()
+        form.setWindowTitle(translate("Trabecula", "Design rods"))
+        form.setWindowIcon(icon("Trabecula_design"))
+        column = QtGui.QVBoxLayout(form)
+        column.setContentsMargins(6, 4, 6, 4)
+        column.setSpacing(4)
+        for widget in (self.fields.head, self.outcome, self.build_bar, self.fields.sections):
+            column.addWidget(widget)
+        return form
+
+    def _kinds(self) -> Sequence[Tuple[str, str, bool]]:
+        """Bodies that can be built, those chosen that the design has already."""
+        there = {one.Proxy.KIND for one in products_of(self.wireframe)} if self.wireframe else {"scaffold"}
+        texts = {
+            "network": translate("Trabecula", "Rods"),
+            "scaffold": translate("Trabecula", "Scaffold"),
+            "solid": translate("Trabecula", "STEP scaffold"),
+        }
+        return [(kind, text, kind in there) for kind, text in texts.items() if hasattr(make, MAKERS[kind])]
+
+    # ------------------------------------------------------------------------------------------------- the envelope
+
+    def _offer_envelopes(self, fixed: bool = False) -> None:
+        found = [Envelope("", translate("Trabecula", "new prism"), True)]
+        if not fixed:
+            objects = [obj for obj in self.document.Objects if is_solid(obj)]
+        else:
+            objects, found = [self.envelope], []
+        found += [Envelope(obj.Name, obj.Label, obj.TypeId == "Part::Box") for obj in objects]
+        self.fields.set_envelopes(found, self.envelope.Name if self.envelope else "", fixed)
+
+    def _take_envelope(self, name: str) -> None:
+        self.envelope = self.document.getObject(name) if name else None
+        self._show_envelope()
+        self._changed()
+
+    def _show_envelope(self) -> None:
+        self._clear_view.apply(self.envelope, self._hidden())
+        self._show_parts()
+
+    def _hidden(self) -> Sequence[Any]:
+        """What the preview stands for: the design's own objects."""
+        return [self.wireframe, *self.wireframe.Sites, *products_of(self.wireframe)] if self.wireframe else []
+
+    def _envelope_solid(self) -> Optional[Part.Shape]:
+        """Return the envelope's own solid, copied for the other thread; None for a prism that is yet to be made."""
+        if self.envelope is None:
+            return None
+        shape = self.envelope.Shape
+        if self._solid[0] != shape.hashCode():
+            self._solid = shape.hashCode(), shape.copy()
+        return self._solid[1]
+
+    # -------------------------------------------------------------------------------------------------- the preview
+
+    def _changed(self) -> None:
+        self._pause.start()
+
+    def _request(self) -> None:
+        if not self._open:
+            return
+        try:
+            job = self.fields.job()
+        except TrabeculaError as error:
+            self.outcome.show_error(str(error))
+            return
+        self._wanted = job
+        self.fields.show_summaries(job)
+        self.outcome.show_busy()
+        self.worker.request(Request(job, self._envelope_solid()))
+
+    def _show_outline(self, outline: Outline) -> None:
+        if self._open:
+            if not self._seen:
+                self._first_look()
+            self._drawn = outline.job
+            self.preview.show(outline.drawing)
+            self.fields.show_counts(outline.rows, outline.counts)
+            self.outcome.show_outline(outline)
+
+    def _first_look(self) -> None:
+        """Turn the view of an empty document to the preview."""
+        self._seen = True
+        view = view_of(self.document)
+        if not self.document.Objects:
+            view.viewIsometric()
+        # once the drawing is in the scene
+        invoke_later(view.fitAll)
+
+    def _show_estimate(self, estimate: Estimate) -> None:
+        if self._open:
+            self.outcome.show_estimate(estimate)
+
+    def _show_parts(self) -> None:
+        if self._open and hasattr(self, "preview"):
+            self.preview.set_visible(box=self.envelope is None, **self.outcome.shown())
+            self.preview.set_colouring(self.outcome.colouring.value())
+
+    def _take_preset(self, name: str) -> None:
+        self.fields.set_job(preset(name))
+        self._request()
+
+    # ---------------------------------------------------------------------------------------------------- picking
+
+    def _pick_faces(self, start: bool) -> None:
+        self._origin_wanted = False
+        if start and self.envelope is not None:
+            self.picker.start(self.envelope)
+        else:
+            self.picker.stop()
+
+    def _pick_origin(self) -> None:
+        if self.envelope is not None:
+            self._origin_wanted = True
+            self.picker.start(self.envelope)
+
+    def _picked(self, face: str, point: Tuple[float, float, float]) -> None:
+        if self._origin_wanted:
+            self.fields.faces.set_origin(face, point)
+            self._origin_wanted = False
+            if not self.fields.faces.pick_button.isChecked():
+                invoke_later(self.picker.stop)
+        else:
+            self.fields.faces.toggle(face)
+        # the same face can be clicked again only when it is not selected any more; not inside its own notification
+        invoke_later(FreeCADGui.Selection.clearSelection)
+
+    # ----------------------------------------------------------------------------------------------- task panel
+
+    def getStandardButtons(self) -> Any:
+        """Return the buttons above the form."""
+        return flags_of(Buttons.Ok, Buttons.Cancel)
+
+    def accept(self) -> bool:
+        """Keep the design; bodies that it has already are brought up to date in another process first."""
+        kinds = [one.Proxy.KIND for one in products_of(self.wireframe)] if self.wireframe else []
+        with told():
+            job = self.fields.job()
+            if kinds or job != self._drawn:
+                self._start(job, kinds)
+                return False
+            put_into_document(self._target(), job, ())
+            self._leave()
+            FreeCADGui.Control.closeDialog()
+        return False
+
+    def reject(self) -> bool:
+        """Leave the document as it was."""
+        self.cancel()
+        self._leave()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """Close the panel when its document is closed (FreeCAD's observer protocol)."""
+        if self._open and document.Name == self.document.Name:
+            self.cancel()
+            self._leave()
+            invoke_later(FreeCADGui.Control.closeDialog)
+
+    # ---------------------------------------------------------------------------------------------------- building
+
+    def _target(self) -> Target:
+        return Target(
+            self.document.Name,
+            self.envelope.Name if self.envelope is not None else "",
+            self.wireframe.Name if self.wireframe is not None else "",
+        )
+
+    def build(self) -> None:
+        """Build what is ticked, in another process."""
+        with told():
+            self._start(self.fields.job(), self.build_bar.chosen())
+
+    def _start(self, job: Job, kinds: Sequence[str]) -> None:
+        if self._building is not None:
+            return
+        self.picker.stop()
+        building = Building(
+            self._target(), job, kinds, Listener(self.build_bar.show_progress, self._built, self._not_built)
+        )
+        building.start(self._envelope_solid())
+        self._building = building
+        self._set_working(True)
+
+    def cancel(self) -> None:
+        """Stop building; the document is as it was."""
+        if self._building is not None:
+            self._building.cancel()
+            self._building = None
+            self._set_working(False)
+
+    def _set_working(self, working: bool) -> None:
+        (self.build_bar.show_working if working else self.build_bar.show_idle)()
+        for widget in (self.fields.head, self.fields.sections):
+            widget.setEnabled(not working)
+
+    def _built(self) -> None:
+        self._building = None
+        document = self.document
+        self._leave()
+        FreeCADGui.Control.closeDialog()
+        invoke_later(lambda: panels.open_results(document.Name))
+
+    def _not_built(self, error: TrabeculaError) -> None:
+        self._building = None
+        if not self._open:
+            return
+        self._set_working(False)
+        self.outcome.show_error(str(error))
+        with told():
+            raise error
+
+    # ----------------------------------------------------------------------------------------------------- the end
+
+    def _leave(self) -> None:
+        if not self._open:
+            return
+        self._open = False
+        self._pause.stop()
+        self.worker.close()
+        self.picker.stop()
+        self.preview.close()
+        self._clear_view.restore()
+        FreeCAD.removeDocumentObserver(self)
+
+
+def view_of(document: Any) -> Any:
+    """Return a 3D view of a document."""
+    views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
+    return views[0]

@@ -1,0 +1,298 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Input fields made from the parameter classes: type, unit, limits and tooltip of a field say what widget it gets."""
+
+from __future__ import annotations
+
+import dataclasses
+import typing
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple
+
+from PySide import QtCore, QtGui
+
+from ..core.laws import Law
+from ..core.parameters import Point
+from .qt import quantity_box, set_length
+
+Changed = Callable[[], None]
+_WIDE, _NARROW = 88, 60  # pixels: a length needs room for its unit
+_MOST = 2**31 - 1
+
+
+class Field:
+    """One value and the widget that shows it. ``value`` is what ``set_value`` got until the user changes it."""
+
+    def __init__(self, widget: Any, tip: str = "") -> None:
+        self.widget = widget
+        widget.setToolTip(tip)
+
+    def value(self) -> Any:
+        """Return the value."""
+        raise NotImplementedError
+
+    def set_value(self, value: Any) -> None:
+        """Show a value."""
+        raise NotImplementedError
+
+
+class NumberField(Field):
+    """A length with FreeCAD's quantity box, or a pure number."""
+
+    def __init__(self, unit: str, step: float, changed: Changed, tip: str = "") -> None:
+        self._is_length = unit == "mm"
+        box = quantity_box() if self._is_length else QtGui.QDoubleSpinBox()
+        super().__init__(box, tip)
+        box.setMinimumWidth(_WIDE if self._is_length else _NARROW)
+        box.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+        if self._is_length:
+            box.setProperty("singleStep", step)
+        else:
+            box.setRange(-1e9, 1e9)
+            box.setDecimals(3)
+            box.setSingleStep(step)
+            if unit:
+                box.setSuffix(" " + unit)
+        self._exact: Tuple[Optional[float], float] = (None, 0.0)
+        box.valueChanged.connect(lambda *_: changed())
+
+    def _shown(self) -> float:
+        return float(self.widget.property("rawValue")) if self._is_length else float(self.widget.value())
+
+    def value(self) -> float:
+        """Return the number; a length in mm."""
+        exact, shown = self._exact
+        # the box rounds what it shows: a third must not become 0.333 because its panel was opened
+        return exact if exact is not None and self._shown() == shown else self._shown()
+
+    def set_value(self, value: float) -> None:
+        """Show a number; a length in mm."""
+        if self._is_length:
+            set_length(self.widget, value)
+        else:
+            self.widget.setValue(float(value))
+        self._exact = (float(value), self._shown())
+
+
+class WholeField(Field):
+    """A whole number."""
+
+    def __init__(self, low: int, high: int, changed: Changed, tip: str = "") -> None:
+        box = QtGui.QSpinBox()
+        super().__init__(box, tip)
+        box.setRange(low, high)
+        box.setMinimumWidth(_NARROW)
+        box.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+        box.valueChanged.connect(lambda *_: changed())
+
+    def value(self) -> int:
+        """Return the number."""
+        return int(self.widget.value())
+
+    def set_value(self, value: int) -> None:
+        """Show a number."""
+        self.widget.setValue(int(value))
+
+
+class ChoiceField(Field):
+    """One of several words."""
+
+    def __init__(self, choices: Sequence[str], changed: Changed, tip: str = "") -> None:
+        box = QtGui.QComboBox()
+        super().__init__(box, tip)
+        box.addItems(list(choices))
+        box.currentIndexChanged.connect(lambda *_: changed())
+
+    def set_choices(self, choices: Sequence[str]) -> None:
+        """Offer other words."""
+        self.widget.blockSignals(True)
+        self.widget.clear()
+        self.widget.addItems(list(choices))
+        self.widget.blockSignals(False)
+
+    def value(self) -> str:
+        """Return the word."""
+        return str(self.widget.currentText())
+
+    def set_value(self, value: str) -> None:
+        """Choose a word; one that is not among the choices is added, so that no file's value is lost."""
+        if self.widget.findText(value) < 0:
+            self.widget.addItem(value)
+        self.widget.setCurrentIndex(self.widget.findText(value))
+
+
+class SwitchField(Field):
+    """On or off."""
+
+    def __init__(self, changed: Changed, tip: str = "", text: str = "") -> None:
+        super().__init__(QtGui.QCheckBox(text), tip)
+        self.widget.toggled.connect(lambda *_: changed())
+
+    def value(self) -> bool:
+        """Return whether it is on."""
+        return bool(self.widget.isChecked())
+
+    def set_value(self, value: bool) -> None:
+        """Switch on or off."""
+        self.widget.setChecked(bool(value))
+
+
+class TextField(Field):
+    """A short text."""
+
+    def __init__(self, changed: Changed, tip: str = "") -> None:
+        super().__init__(QtGui.QLineEdit(), tip)
+        self.widget.textChanged.connect(lambda *_: changed())
+
+    def value(self) -> str:
+        """Return the text without surrounding blanks."""
+        return str(self.widget.text()).strip()
+
+    def set_value(self, value: str) -> None:
+        """Show a text."""
+        self.widget.setText(value)
+
+
+class PointField(Field):
+    """Three numbers side by side."""
+
+    def __init__(self, unit: str, step: float, changed: Changed, tip: str = "") -> None:
+        super().__init__(row_widget(), tip)
+        self.parts = [NumberField(unit, step, changed, f"{axis}: {tip}") for axis in "XYZ"]
+        for part in self.parts:
+            part.widget.setMinimumWidth(_NARROW)
+            part.widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
+            self.widget.layout().addWidget(part.widget)
+
+    def value(self) -> Point:
+        """Return the three numbers."""
+        return tuple(part.value() for part in self.parts)
+
+    def set_value(self, value: Point) -> None:
+        """Show three numbers."""
+        for part, number in zip(self.parts, value):
+            part.set_value(number)
+
+
+class OptionalPointField(Field):
+    """Three numbers that count only when their switch is on."""
+
+    def __init__(self, unit: str, step: float, changed: Changed, tip: str = "") -> None:
+        super().__init__(row_widget(), tip)
+        self.point = PointField(unit, step, changed, tip)
+        self.switch = SwitchField(changed, tip)
+        self.switch.widget.toggled.connect(self.point.widget.setEnabled)
+        self.point.widget.setEnabled(False)
+        self.widget.layout().addWidget(self.switch.widget)
+        self.widget.layout().addWidget(self.point.widget, 1)
+
+    def value(self) -> Optional[Point]:
+        """Return the three numbers, or None."""
+        return self.point.value() if self.switch.value() else None
+
+    def set_value(self, value: Optional[Point]) -> None:
+        """Show three numbers, or none."""
+        self.switch.set_value(value is not None)
+        if value is not None:
+            self.point.set_value(value)
+
+
+def row_widget() -> Any:
+    """Return a widget that lays its children in a row without margins."""
+    widget = QtGui.QWidget()
+    layout = QtGui.QHBoxLayout(widget)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(4)
+    return widget
+
+
+def field_for(cls: type, name: str, changed: Changed, step: float = 0.1) -> Field:
+    """Return the input field for a field of a parameter class.
+
+    Parameters
+    ----------
+    cls : type
+        A dataclass of ``core.parameters`` or ``core.job``.
+    name : str
+    changed : callable
+        Called after every change.
+    step : float
+        What one click on an arrow adds.
+    """
+    from .law_field import LawField
+
+    declared = {f.name: f for f in dataclasses.fields(cls)}[name]
+    hint, meta = typing.get_type_hints(cls)[name], declared.metadata
+    unit, tip = meta["unit"], meta["doc"]
+    if hint is str:
+        return ChoiceField(meta["choices"], changed, tip) if "choices" in meta else TextField(changed, tip)
+    if hint is int:
+        return WholeField(meta.get("low", 0), meta.get("high", _MOST), changed, tip)
+    makers: Dict[Any, Callable[[], Field]] = {
+        Law: lambda: LawField(unit, step, changed, tip),
+        bool: lambda: SwitchField(changed, tip),
+        float: lambda: NumberField(unit, step, changed, tip),
+        Point: lambda: PointField(unit, step, changed, tip),
+        Optional[Point]: lambda: OptionalPointField(unit, step, changed, tip),
+    }
+    return makers[hint]()
+
+
+class Form(QtGui.QWidget):
+    """Fields of one parameter class, one below the other.
+
+    Parameters
+    ----------
+    cls : type
+        The parameter class.
+    rows : sequence of (field name, label, step)
+    changed : callable
+        Called after every change by the user, not while values are being shown.
+    """
+
+    def __init__(self, cls: type, rows: Sequence[Tuple[str, str, float]], changed: Changed) -> None:
+        super().__init__()
+        self.cls, self._changed, self._showing = cls, changed, False
+        self.fields: Dict[str, Field] = {}
+        self._labels: Dict[str, Any] = {}
+        grid = QtGui.QFormLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(4)
+        grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        for name, label, step in rows:
+            field = field_for(cls, name, self.report, step)
+            self.fields[name], self._labels[name] = field, QtGui.QLabel(label)
+            self._labels[name].setToolTip(field.widget.toolTip())
+            self._labels[name].setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter)
+            grid.addRow(self._labels[name], field.widget)
+
+    def report(self) -> None:
+        """Tell the owner of a change."""
+        if not self._showing:
+            self._changed()
+
+    def show_row(self, name: str, visible: bool) -> None:
+        """Show or hide a row."""
+        self.fields[name].widget.setVisible(visible)
+        self._labels[name].setVisible(visible)
+
+    def values(self) -> Dict[str, Any]:
+        """Return the values by field name."""
+        return {name: field.value() for name, field in self.fields.items()}
+
+    def value(self, **others: Any) -> Any:
+        """Return the parameter object; ``others`` are fields that the form does not show.
+
+        Raises
+        ------
+        ParameterError
+            If the class refuses a value.
+        """
+        return self.cls(**others, **self.values())
+
+    def set_value(self, parameters: Any) -> None:
+        """Show a parameter object."""
+        self._showing = True
+        try:
+            for name, field in self.fields.items():
+                field.set_value(getattr(parameters, name))
+        finally:
+            self._showing = False

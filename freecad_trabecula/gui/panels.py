@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Opens task panels: one at a time, each on a document and an object that are there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, List, Optional, Sequence
+
+import FreeCAD
+import FreeCADGui
+
+from ..core.job import Job, job_from_json
+from ..core.presets import preset
+from ..errors import ExportError
+from ..features.jobs import job_of
+from .transactions import record, say, told, transaction
+from .view_providers import products_of, type_of, wireframe_of
+
+translate = FreeCAD.Qt.translate
+
+
+def is_free() -> bool:
+    """Return whether no task panel is open; else say so in the status bar."""
+    if FreeCADGui.Control.activeDialog():
+        say(translate("Trabecula", "Close the open task panel first"))
+        return False
+    return True
+
+
+def open_for(document: str, name: str) -> None:
+    """Open the panel of an object: results of bodies, the design of all else."""
+    if document not in FreeCAD.listDocuments() or not is_free():
+        return
+    obj = FreeCAD.getDocument(document).getObject(name)
+    if obj is None:
+        return
+    wireframe = wireframe_of(obj)
+    if wireframe is None:
+        say(translate("Trabecula", "{} belongs to no design yet").format(obj.Label))
+    elif obj in products_of(wireframe):
+        open_results(document, wireframe)
+    else:
+        open_change(wireframe)
+
+
+def open_new(document: Any, job: Optional[Job] = None, envelope: Any = None) -> None:
+    """Open the design panel for a new design."""
+    from .design_panel import DesignPanel
+
+    if is_free():
+        with told():
+            _show(DesignPanel(document, job or preset("case6"), envelope))
+
+
+def open_change(wireframe: Any) -> None:
+    """Open the design panel with the values of a design that is there."""
+    from .design_form import IN_DOCUMENT
+    from .design_panel import DesignPanel
+
+    if is_free():
+        with told():
+            scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
+            job = job_of(wireframe, scaffold, IN_DOCUMENT)
+            _show(DesignPanel(wireframe.Document, job, wireframe.Envelope, wireframe))
+
+
+def open_on_faces(document: Any, envelope: Any, faces: Sequence[str]) -> None:
+    """Open the design panel for a new design with sites on faces of a solid."""
+    if is_free():
+        open_new(document, envelope=envelope)
+        panel = current()
+        for face in faces:
+            panel.fields.faces.toggle(face)
+        if not faces:
+            panel.fields.faces.pick_button.setChecked(True)
+
+
+def open_and_build(wireframe: Any, kind: str) -> None:
+    """Open the design panel of a design and build one kind of body at once."""
+    if wireframe is not None and is_free():
+        open_change(wireframe)
+        panel = current()
+        for name, box in panel.build_bar.boxes.items():
+            box.setChecked(box.isChecked() or name == kind)
+        panel.build()
+
+
+def open_job(document: Any, path: str) -> None:
+    """Open the design panel with the values of a job file.
+
+    Raises
+    ------
+    TrabeculaError
+        If the file cannot be read, or is no job.
+    """
+    job, envelope = read_job(path), None
+    if job.envelope:
+        with transaction(document, "Open job"):
+            record("import FreeCAD")
+            record("from freecad_trabecula import make")
+            call = f"make.make_envelope(document, {job.envelope!r}, {job.solid!r})"
+            record(f"document = FreeCAD.getDocument({document.Name!r}); envelope = {call}")
+            envelope = document.Objects[-1]
+    open_new(document, job, envelope)
+
+
+def read_job(path: str) -> Job:
+    """Return the job in a file; the file of its envelope is looked for beside it.
+
+    Raises
+    ------
+    ExportError
+        If it cannot be read.
+    ParameterError
+        If it is no job.
+    """
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ExportError(f"the job file {path} could not be read: {error}") from error
+    job = job_from_json(text)
+    beside = Path(path).parent / job.envelope
+    return replace(job, envelope=str(beside)) if job.envelope and beside.is_file() else job
+
+
+_panel: List[Any] = []
+
+
+def current() -> Any:
+    """Return the design panel that was opened last."""
+    return _panel[-1]
+
+
+def _show(panel: Any) -> None:
+    _panel[:] = [panel]
+    FreeCADGui.Control.showDialog(panel)
+
+
+def open_results(document: str, wireframe: Any = None) -> None:
+    """Open the results of a design: that of the selection, or the last one of the document."""
+    from .results_panel import ResultsPanel
+
+    if document in FreeCAD.listDocuments() and is_free():
+        found = wireframe or wireframes(FreeCAD.getDocument(document))[-1]
+        _show(ResultsPanel(found))
+
+
+def wireframes(document: Any) -> list:
+    """Return the wireframes of a document, those to which the selection belongs last."""
+    every = [obj for obj in document.Objects if type_of(obj) == "Trabecula::Wireframe"]
+    chosen = [wireframe_of(obj) for obj in FreeCADGui.Selection.getSelection(document.Name)]
+    return sorted(every, key=lambda one: one in chosen)

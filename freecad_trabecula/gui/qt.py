@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What differs between PySide2 (FreeCAD 0.20) and PySide6 (FreeCAD 1.x), and FreeCAD's own widgets, in one place.
+
+Widgets come from ``PySide.QtGui`` everywhere: FreeCAD 0.20 has no ``PySide.QtWidgets``.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+Buttons = QtGui.QDialogButtonBox
+
+
+def run_dialog(dialog: Any) -> bool:
+    """Show a dialog until it is closed; return whether it was accepted."""
+    run = getattr(dialog, "exec", None) or dialog.exec_
+    return int(run()) == 1
+
+
+def flags_of(*buttons: Any) -> Any:
+    """Return standard buttons as FreeCAD's task panels want them: a number up to 0.21, the flag itself since."""
+    flags = buttons[0]
+    for button in buttons[1:]:
+        flags = flags | button
+    try:
+        return int(flags)
+    except TypeError:  # PySide6: scoped enumerations are no numbers
+        return flags
+
+
+def is_button(pressed: Any, button: Any) -> bool:
+    """Return whether ``pressed``, as a task panel's ``clicked`` gets it (a number or an enumeration), is ``button``."""
+    return int(getattr(pressed, "value", pressed)) == int(getattr(button, "value", button))
+
+
+def icon_path(name: str) -> str:
+    """Return the path of an icon of the workbench."""
+    return str(RESOURCES / "icons" / (name + ".svg"))
+
+
+def icon(name: str) -> Any:
+    """Return an icon of the workbench."""
+    return QtGui.QIcon(icon_path(name))
+
+
+def is_alive(widget: Any) -> bool:
+    """Return whether the C++ half of a widget still exists: FreeCAD deletes panels when a document closes."""
+    try:
+        widget.objectName()
+    except RuntimeError:
+        return False
+    return True
+
+
+def quantity_box() -> Any:
+    """Return FreeCAD's spin box for lengths: it takes units and formulas, and the decimal sign of the locale."""
+    box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+    box.setProperty("unit", "mm")
+    return box
+
+
+def set_length(box: Any, length: float) -> None:
+    """Show a length in mm in a quantity box, with as many digits as it has: the box rounds to those that it shows."""
+    quantity = FreeCAD.Units.Quantity(float(length), FreeCAD.Units.Length)
+    digits = len(("%.9f" % length).rstrip("0").partition(".")[2])
+    if 0 < abs(length) < 0.1:
+        digits -= 3  # FreeCAD shows micrometres
+    quantity.Format = {"Precision": max(digits, 0), "NumberFormat": "f", "Denominator": 8}
+    box.setProperty("value", quantity)
+    box.findChild(QtGui.QLineEdit).home(False)  # the number, not the unit, is what must be seen
+
+
+def small_button(name: str, tip: str, pressed: Any, text: str = "", checkable: bool = False) -> Any:
+    """Return a flat button with one of Qt's or FreeCAD's icons, or a text."""
+    button = QtGui.QToolButton()
+    button.setAutoRaise(True)
+    if text:
+        button.setText(text)
+    else:
+        button.setIcon(icon(name) if Path(icon_path(name)).is_file() else FreeCADGui.getIcon(name))
+    button.setToolTip(tip)
+    button.setCheckable(checkable)
+    (button.toggled if checkable else button.clicked).connect(pressed)
+    return button
+
+
+def invoke_later(function: Any, milliseconds: int = 0) -> None:
+    """Call a function when the event loop is free again."""
+    QtCore.QTimer.singleShot(milliseconds, function)
+
+
+def widen_dock(widget: Any, width: int) -> None:
+    """Make the dock that holds a widget at least as wide as the widget needs; FreeCAD's own default is too narrow."""
+    dock = widget.parent()
+    while dock is not None and not isinstance(dock, QtGui.QDockWidget):
+        dock = dock.parent()
+    if dock is not None and dock.width() < width:
+        FreeCADGui.getMainWindow().resizeDocks([dock], [width], QtCore.Qt.Horizontal)

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A dock that says of a rod selected in the 3D view which sites and sections it has."""
+
+from __future__ import annotations
+
+from typing import Any, List, Optional, Tuple
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from ..core.wireframe import Wireframe
+from ..errors import TrabeculaError
+from .qt import icon
+from .view_providers import type_of, wireframe_of
+
+translate = FreeCAD.Qt.translate
+_NAME = "TrabeculaRodDock"
+
+
+class RodDock(QtGui.QDockWidget):
+    """The dock; it observes the selection while it is visible."""
+
+    def __init__(self) -> None:
+        super().__init__(translate("Trabecula", "Rod"), FreeCADGui.getMainWindow())
+        self.setObjectName(_NAME)
+        self.setWindowIcon(icon("Trabecula_network"))
+        self.table = QtGui.QTableWidget(0, 2)
+        self.table.horizontalHeader().hide()
+        self.table.verticalHeader().hide()
+        self.table.verticalHeader().setDefaultSectionSize(22)
+        self.table.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.ResizeToContents)
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.table.setMinimumWidth(260)
+        self.setWidget(self.table)
+        self._faces: Tuple[int, np.ndarray] = (0, np.zeros(0, int))
+        self._observing = False
+        self.visibilityChanged.connect(self._observe)
+        self.show_rows([(translate("Trabecula", "Click a rod in the 3D view"), "")])
+
+    def _observe(self, visible: bool) -> None:
+        if visible and not self._observing:
+            FreeCADGui.Selection.addObserver(self)
+        elif not visible and self._observing:
+            FreeCADGui.Selection.removeObserver(self)
+        self._observing = visible
+
+    # ------------------------------------------------------------------------------------------ FreeCAD's observer
+
+    def addSelection(self, document: str, name: str, sub: str, point: Any) -> None:
+        """Show the rod that was clicked (FreeCAD's observer protocol)."""
+        obj = FreeCAD.getDocument(document).getObject(name)
+        number = self.rod_number(obj, sub.split(".")[-1])
+        if number is None:
+            return
+        wireframe = computed_wireframe(wireframe_of(obj))
+        if wireframe is not None and number < len(wireframe):
+            self.show_rows(rod_facts(wireframe, number))
+
+    def clearSelection(self, document: str) -> None:
+        """Keep what is shown (FreeCAD's observer protocol)."""
+
+    def rod_number(self, obj: Any, sub: str) -> Optional[int]:
+        """Return which rod an element of a network or a wireframe belongs to; None for anything else."""
+        kind = type_of(obj)
+        if kind == "Trabecula::Wireframe" and sub.startswith("Edge"):
+            return (int(sub[4:]) - 1) // 2  # a path has two pieces
+        if kind == "Trabecula::Network" and sub.startswith("Face"):
+            if self._faces[0] != obj.Shape.hashCode():
+                counts = np.cumsum([len(solid.Faces) for solid in obj.Shape.Solids])
+                self._faces = obj.Shape.hashCode(), counts
+            return int(np.searchsorted(self._faces[1], int(sub[4:]) - 1, side="right"))
+        return None
+
+    def show_rows(self, rows: List[Tuple[str, str]]) -> None:
+        """Show pairs of words."""
+        self.table.setRowCount(len(rows))
+        for row, texts in enumerate(rows):
+            for column, text in enumerate(texts):
+                self.table.setItem(row, column, QtGui.QTableWidgetItem(text))
+
+
+def computed_wireframe(obj: Any) -> Optional[Wireframe]:
+    """Return the wireframe of a document object, computed if it is not at hand; None if it has an error."""
+    if obj is None:
+        return None
+    try:
+        return obj.Proxy.wireframe(obj)
+    except TrabeculaError as error:
+        FreeCAD.Console.PrintWarning(f"{error}\n")
+        return None
+
+
+def rod_facts(wireframe: Wireframe, number: int) -> List[Tuple[str, str]]:
+    """Return what there is to know of one rod, as pairs of words."""
+    rows = [(translate("Trabecula", "Rod"), wireframe.names[number])]
+    coupling = wireframe.rows[_row_of(wireframe, number)] if wireframe.rows else None
+    ends = (wireframe.ends.first, wireframe.ends.second if wireframe.ends.rolls else wireframe.ends.first)
+    faces = (coupling.first, coupling.second) if coupling else ("", "")
+    words = (translate("Trabecula", "First"), translate("Trabecula", "Second"))
+    for word, face, site, pores in zip(words, faces, wireframe.site_numbers[number], ends):
+        point = wireframe.sites[face].points[site] if face in wireframe.sites else None
+        if point is not None:
+            rows.append((f"{word} site", wireframe.sites[face].names[site]))
+            rows.append((translate("Trabecula", "  at"), "({:.3f}, {:.3f}, {:.3f}) mm".format(*point)))
+        one = pores.take(np.array([number]))
+        rows.append((translate("Trabecula", "  size"), f"{one.size[0]:.4f} mm"))
+        rows.append((translate("Trabecula", "  area"), f"{one.areas[0]:.4f} mm²"))
+    rows.append((translate("Trabecula", "Length"), f"{_length(wireframe.paths[number]):.3f} mm"))
+    for one in wireframe.recoveries:
+        if one.rod == wireframe.names[number]:
+            rows.append((translate("Trabecula", "Mended"), f"{one.fault}: {one.remedy} ({one.attempts})"))
+    if wireframe.names[number] in wireframe.outside:
+        rows.append((translate("Trabecula", "Outside"), translate("Trabecula", "leaves the envelope")))
+    return rows
+
+
+def _row_of(wireframe: Wireframe, number: int) -> int:
+    """Row of the coupling table: couplings that are off have none."""
+    made = np.unique(wireframe.coupling)
+    return int(np.searchsorted(made, wireframe.coupling[number]))
+
+
+def _length(path: np.ndarray) -> float:
+    from ..core.paths import stations
+
+    return float(stations(path[None], 3).lengths[0])
+
+
+def toggle_dock() -> None:
+    """Show the dock, or hide it."""
+    window = FreeCADGui.getMainWindow()
+    dock = window.findChild(QtGui.QDockWidget, _NAME)
+    if dock is None:
+        dock = RodDock()
+        window.addDockWidget(QtCore.Qt.RightDockWidgetArea, dock)
+        dock.show()
+    else:
+        dock.setVisible(not dock.isVisible())
