@@ -64,7 +64,7 @@ def solids_ours():
         import Part
 
         network = document.addObject("Part::Feature", "Network")
-        network.Shape = Part.makeCompound(list(rod_solids(skin(made, job.rods, job.rods.stations))))
+        network.Shape = Part.makeCompound(list(rod_solids(made, job.rods)))
         document.recompute()
         return network.Shape
 

@@ -54,7 +54,7 @@ def case_figures(name, seeds):
         envelope, made = design.envelope, design.wireframe
         rods = skin(made, job.rods)
         if seed == seeds[0]:
-            rod_solids(skin(made, job.rods, job.rods.stations))
+            list(rod_solids(made, job.rods))
             found["seconds"] = (time.process_time() - start) / len(made)
         whole = job.prism.l * job.prism.w * job.prism.h
         found["union"].append(100 * exact_union_volume(*rod_mesh(rods, 0.1), inside=envelope.mesh) / whole)
@@ -129,7 +129,7 @@ def study(name, title):
     envelope, made = design.envelope, design.wireframe
     located = time.process_time() - start
     rods = skin(made, job.rods)
-    rod_solids(skin(made, job.rods, job.rods.stations))
+    list(rod_solids(made, job.rods))
     seconds = time.process_time() - start
     inside = exact_union_volume(*rod_mesh(rods, 0.25 * job.pores.size.high), inside=envelope.mesh)
     thesis = THESIS[name]
