@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Iterator, NamedTuple, Sequence, Tuple
+from typing import Iterator, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from .field import field_bodies
 from .layers import LayeredBody, Patch, layered_body, reaches
 from .meshes import Mesh, bounds, edge_faults, is_closed, mesh_volume, printable, require_closed
 from .parameters import Coupling, ScaffoldParameters
-from .pieces import SLIVER, Parts, separate
+from .pieces import SLIVER, Parts, pieces, separate
 from .progress import Progress, part, silent
 from .rays import RayVolume, union_volume
 from .rods import Rods, rod_mesh, rod_volumes
@@ -26,6 +26,7 @@ BALANCE = 1e-6  # of the envelope: scaffold + channels + loose pieces against it
 FIELD = 2e-3  # of the envelope: what cells may change
 RAYS = (100, 400)  # fewest and most rays per direction
 RAYS_PER_ROOT = 16  # rays per direction and root of the number of rods: 1e-4 of the volume for case 6
+FIELD_RAYS = 150  # per direction, where cells blunt the volume more than so few rays do
 RAY_ERRORS = 5.0  # standard errors by which the rays' volume may differ
 NOTED = 0.01  # of the envelope: loose pieces or filled voids above this share are pointed out
 
@@ -204,13 +205,13 @@ def scaffold_bodies(
         )
     chosen = choose(parameters, rod_vertices, rod_triangles, *bounds(envelope))
     layered = layered_body(envelope, patches, parameters.layers)
-    outside, inside, tolerance = _cut(
-        chosen, rod_vertices, rod_triangles, layered, parameters.cell, part(progress, 0, 0.85)
-    )
+    cut = _cut(chosen, rod_vertices, rod_triangles, layered, parameters.cell, part(progress, 0, 0.85))
     progress(0.85, 1.0, "pieces")
-    parts = separate(outside, inside, parameters.keep_loose)
+    found = [pieces(cut.pop(0)) for _ in range(2)]  # of millions of triangles only one copy
+    union = float(sum(hole.volume for hole in found[1].found))
+    parts = separate(*found, parameters.keep_loose)
     progress(0.9, 1.0, "volumes by rays")
-    rays = _ray_volume(rod_vertices, rod_triangles, layered)
+    rays = _ray_volume(rod_vertices, rod_triangles, layered, chosen.engine)
     progress(0.95, 1.0, "checks")
     bodies = Bodies(
         engine=chosen.engine,
@@ -219,12 +220,12 @@ def scaffold_bodies(
         added_volume=layered.added,
         parts=parts,
         kept=parameters.keep_loose,
-        union_volume=mesh_volume(inside),
+        union_volume=union,
         rods_volume=rods_volume,
         checks=(),
         notes=(layered.note,) if layered.note else (),
     )
-    return _checked(bodies, rays, tolerance)
+    return _checked(bodies, rays)
 
 
 def wireframe_bodies(
@@ -257,22 +258,21 @@ def prolongation(rods: Rods) -> float:
 
 def _cut(
     chosen: Estimate, vertices: np.ndarray, triangles: np.ndarray, layered: LayeredBody, cell: float, progress: Progress
-) -> Tuple[Mesh, Mesh, float]:
-    """The body outside and inside the rods, and a tolerance for their sum: cells blunt the edges of all but boxes."""
+) -> List[Mesh]:
+    """The body outside and inside the rods."""
     if chosen.engine == "mesh":
         cut = cut_bodies(vertices, triangles, layered.body, layered.closed_by, progress)
-        return cut.scaffold, cut.channels, BALANCE
-    corners = vertices[:, triangles].reshape(-1, 3, 3)
-    meshes = field_bodies(corners, layered.body, cell, progress).meshes
-    return meshes["scaffold"], meshes["channels"], FIELD
+        return [cut.scaffold, cut.channels]
+    meshes = field_bodies(vertices[:, triangles].reshape(-1, 3, 3), layered.body, cell, progress).meshes
+    return [meshes["scaffold"], meshes["channels"]]
 
 
-def _ray_volume(vertices: np.ndarray, triangles: np.ndarray, layered: LayeredBody) -> RayVolume:
+def _ray_volume(vertices: np.ndarray, triangles: np.ndarray, layered: LayeredBody, engine: str) -> RayVolume:
     """What the rods fill of the body, closed layers excepted, by rays through the rods' own triangles."""
     corners, body = np.asarray(vertices)[:, triangles].reshape(-1, 3, 3), layered.body
     low, high = bounds(body)
     axis = int(np.argmin(high - low))
-    cells = int(np.clip(RAYS_PER_ROOT * math.sqrt(len(vertices)), *RAYS))
+    cells = int(np.clip(RAYS_PER_ROOT * math.sqrt(len(vertices)), *RAYS)) if engine == "mesh" else FIELD_RAYS
     filled = union_volume(corners, low, high, cells, axis, body.corners)
     if not layered.closed_by:
         return filled
@@ -289,18 +289,19 @@ def _count_check(name: str, value: int, second: int) -> Check:
     return Check(name, float(value), float(second), float(abs(value - second)), 0.0)
 
 
-def _checked(bodies: Bodies, rays: RayVolume, tolerance: float) -> Bodies:
+def _checked(bodies: Bodies, rays: RayVolume) -> Bodies:
     parts, whole = bodies.parts, bodies.body_volume
     sum_volume = parts.scaffold_volume + parts.channel_volume + (0.0 if bodies.kept else bodies.loose_volume)
+    cells = FIELD if bodies.engine == "field" else BALANCE  # cells blunt the edges of all envelopes but boxes
     balance = "scaffold + channels = envelope" if bodies.kept else "scaffold + channels + loose pieces = envelope"
     checks = [
-        _volume_check(f"{balance}, mm3", sum_volume, whole, whole, tolerance),
+        _volume_check(f"{balance}, mm3", sum_volume, whole, whole, cells),
         _volume_check(
             "channels by triangles and by rays, mm3",
             bodies.union_volume,
             rays.volume,
             whole,
-            (FIELD if bodies.engine == "field" else BALANCE) + RAY_ERRORS * rays.error / whole,
+            cells + RAY_ERRORS * rays.error / whole,
         ),
         _count_check("cavities seen from inside and from outside", parts.cavities, parts.matched),
     ]

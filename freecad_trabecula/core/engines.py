@@ -17,6 +17,8 @@ from .parameters import ScaffoldParameters
 #: bytes per triangle. Fitted to 15 designs of 75 to 1,200 rods (2 cores, manifold3d 3.5.4, 0.4 to 68 s): right within
 #: a factor of 2.
 SECONDS_PER_TRIANGLE, SECONDS_PER_PAIR, BYTES_PER_TRIANGLE = 2.65e-6, 6.8e-5, 1.1e3
+#: Times the field engine's own seconds and bytes that its bodies take with pieces, volumes and checks.
+ACCOUNTS = (2.2, 1.3)
 #: Beyond this many seconds of the mesh engine the field engine is taken; some 700 rods like case 6.
 LONGEST = 30.0
 _PIECES = 8  # boxes along a rod; finer ones cost more and tell no more about the time
@@ -95,7 +97,7 @@ def estimate(
     """
     count = len(vertices) * len(triangles)
     if engine == "field":
-        seconds, size = field_estimate(low, high, cell, count)
+        seconds, size = (a * b for a, b in zip(field_estimate(low, high, cell, count), ACCOUNTS))
         what = f"cells of {cell:g} mm"
     elif engine == "mesh":
         pairs = near_pairs(np.asarray(vertices, float))

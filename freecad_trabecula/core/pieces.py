@@ -45,7 +45,7 @@ class Piece(NamedTuple):
     @property
     def mesh(self) -> Mesh:
         """Shell and cavities."""
-        return join([self.shell, *self.cavities]) if self.cavities else self.shell
+        return _joined([self])
 
 
 @dataclass(frozen=True)
@@ -85,8 +85,15 @@ class Parts:
     matched: int
 
 
-def pieces(mesh: Mesh) -> Tuple[List[Piece], int]:
-    """Return the pieces of a closed mesh, the largest first, and the number of slivers left out.
+class Pieces(NamedTuple):
+    """The pieces of a closed mesh, the largest first, and the number of slivers left out."""
+
+    found: List[Piece]
+    slivers: int
+
+
+def pieces(mesh: Mesh) -> Pieces:
+    """Return the pieces of a closed mesh.
 
     Raises
     ------
@@ -103,7 +110,7 @@ def pieces(mesh: Mesh) -> Tuple[List[Piece], int]:
         Piece(shell, tuple(m for _, m in holes), volume, volume + sum(v for v, _ in holes))
         for (volume, shell), holes in zip(outer, inside)
     ]
-    return found, len(shells) - len(outer) - len(inner)
+    return Pieces(found, len(shells) - len(outer) - len(inner))
 
 
 def _shells(mesh: Mesh) -> List[Mesh]:
@@ -171,13 +178,13 @@ def inner_point(mesh: Mesh) -> np.ndarray:
     raise MeshError(f"a closed mesh must hold some volume, got {mesh_volume(mesh):g} mm3")
 
 
-def separate(outside: Mesh, inside: Mesh, keep: bool) -> Parts:
+def separate(outside: Pieces, inside: Pieces, keep: bool) -> Parts:
     """Return what the two halves of a cut envelope consist of.
 
     Parameters
     ----------
-    outside, inside : Mesh
-        The envelope's parts outside and inside the rods, closed.
+    outside, inside : Pieces
+        Of the envelope's parts outside and inside the rods.
     keep : bool
         True: everything is exported as it is. False: loose pieces are taken away and voids filled, since neither can be
         printed (a void keeps its powder).
@@ -187,40 +194,51 @@ def separate(outside: Mesh, inside: Mesh, keep: bool) -> Parts:
     MeshError
         If nothing is left outside the rods.
     """
-    solids, slivers = pieces(outside)
-    if not solids:
+    if not outside.found:
         raise MeshError(
             "the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope"
         )
-    holes, hole_slivers = pieces(inside)
-    main, others = solids[0], solids[1:]
-    void = _within(main, holes) if main.cavities else np.zeros(len(holes), bool)
-    filled = _within(main, others) if main.cavities else np.zeros(len(others), bool)
+    main, others, holes = outside.found[0], outside.found[1:], inside.found
+    void, filled = _in_cavities(main, holes), _in_cavities(main, others)
     loose = [p for p, f in zip(others, filled) if keep or not f]
     voids = [p for p, f in zip(holes, void) if f]
-    open_holes = [p for p, f in zip(holes, void) if not f]
-    scaffold = solids if keep else [main._replace(cavities=(), volume=main.shell_volume)]
-    channels = holes if keep else open_holes
+    scaffold = outside.found if keep else [main._replace(cavities=(), volume=main.shell_volume)]
+    channels = holes if keep else [p for p, f in zip(holes, void) if not f]
+    cavities, matched = _matched(outside.found, holes)
     return Parts(
-        join([p.mesh for p in scaffold]),
-        join([p.mesh for p in channels]),
-        float(sum(p.volume for p in scaffold)),
-        float(sum(p.volume for p in channels)),
-        tuple(p.mesh for p in loose),
-        tuple(p.mesh for p in voids),
-        tuple(float(p.volume) for p in loose),
-        tuple(sorted((float(-mesh_volume(c)) for c in main.cavities), reverse=True)),
-        len(scaffold),
-        len(channels),
-        slivers + hole_slivers,
-        *_matched(solids, holes),
+        scaffold=_joined(scaffold),
+        channels=_joined(channels),
+        scaffold_volume=float(sum(p.volume for p in scaffold)),
+        channel_volume=float(sum(p.volume for p in channels)),
+        loose=tuple(p.mesh for p in loose),
+        voids=tuple(p.mesh for p in voids),
+        loose_volumes=tuple(float(p.volume) for p in loose),
+        void_volumes=tuple(sorted((float(-mesh_volume(c)) for c in main.cavities), reverse=True)),
+        pieces=len(scaffold),
+        openings=len(channels),
+        slivers=outside.slivers + inside.slivers,
+        cavities=cavities,
+        matched=matched,
     )
 
 
-def _within(piece: Piece, others: Sequence[Piece]) -> np.ndarray:
-    """True (N,) for pieces that lie inside the outer shell of one."""
-    points = np.array([inner_point(other.mesh) for other in others]).reshape(-1, 3)
-    return contains(piece.shell.corners, points) if len(points) else np.zeros(0, bool)
+def _joined(parts: Sequence[Piece]) -> Mesh:
+    surfaces = [surface for piece in parts for surface in (piece.shell, *piece.cavities)]
+    return surfaces[0] if len(surfaces) == 1 else join(surfaces)  # a mesh of millions of triangles is not copied
+
+
+def _in_cavities(piece: Piece, others: Sequence[Piece]) -> np.ndarray:
+    """True (N,) for pieces that lie in a cavity of one."""
+    found = np.zeros(len(others), bool)
+    boxes = [bounds(other.shell) for other in others] if piece.cavities else []
+    for cavity in piece.cavities:
+        low, high = bounds(cavity)
+        hair = 1e-9 * (high - low)  # a void's shell is its cavity, up to rounding
+        near = [k for k, (a, b) in enumerate(boxes) if (a >= low - hair).all() and (b <= high + hair).all()]
+        if near:
+            points = np.array([inner_point(others[k].mesh) for k in near])
+            found[near] |= contains(cavity.corners[:, ::-1], points)
+    return found
 
 
 def _matched(solids: Sequence[Piece], holes: Sequence[Piece]) -> Tuple[int, int]:

@@ -112,6 +112,10 @@ def test_an_inner_point_of_a_thin_wall_lies_in_the_wall(mesh):
 # ------------------------------------------------------------------------------------------------------- separate
 
 
+def parts_of(outside, inside, keep):
+    return separate(pieces(outside), pieces(inside), keep)
+
+
 def shell_of_channel():
     """A cube of 10 with a hollow cube of channel in it, 3..7 less 4..6: a box of 8 mm3 hangs free in a void."""
     outside = join([cube(0, 10), turned(cube(3, 4)), cube(4, 2)])
@@ -120,7 +124,7 @@ def shell_of_channel():
 
 
 def test_a_void_with_a_loose_piece_in_it_is_filled_whole():
-    parts = separate(*shell_of_channel(), keep=False)
+    parts = parts_of(*shell_of_channel(), keep=False)
     assert parts.scaffold_volume == pytest.approx(1000)
     assert parts.channel_volume == 0 and len(parts.channels.triangles) == 0
     assert parts.void_volumes == (pytest.approx(64),)
@@ -129,7 +133,7 @@ def test_a_void_with_a_loose_piece_in_it_is_filled_whole():
 
 
 def test_kept_as_it_is_nothing_is_taken_or_filled():
-    parts = separate(*shell_of_channel(), keep=True)
+    parts = parts_of(*shell_of_channel(), keep=True)
     assert parts.scaffold_volume == pytest.approx(1000 - 64 + 8)
     assert parts.channel_volume == pytest.approx(56)
     assert mesh_volume(parts.scaffold) == pytest.approx(parts.scaffold_volume)
@@ -139,7 +143,7 @@ def test_kept_as_it_is_nothing_is_taken_or_filled():
 
 
 def test_a_piece_beside_the_scaffold_is_loose_and_not_exported():
-    parts = separate(join([cube(0, 5), cube(8, 1)]), cube(20, 2), keep=False)
+    parts = parts_of(join([cube(0, 5), cube(8, 1)]), cube(20, 2), keep=False)
     assert parts.scaffold_volume == pytest.approx(125)
     assert parts.loose_volumes == (pytest.approx(1),)
     assert parts.channel_volume == pytest.approx(8)
@@ -148,19 +152,19 @@ def test_a_piece_beside_the_scaffold_is_loose_and_not_exported():
 
 def test_an_open_channel_is_no_void_though_the_scaffold_has_one():
     outside = join([cube(0, 10), turned(cube(3, 2))])
-    parts = separate(outside, join([cube(3, 2), box((10, 0, 0), (11, 10, 10))]), keep=False)
+    parts = parts_of(outside, join([cube(3, 2), box((10, 0, 0), (11, 10, 10))]), keep=False)
     assert parts.void_volumes == (pytest.approx(8),)
     assert parts.channel_volume == pytest.approx(100)
 
 
 def test_cavities_are_found_again_in_the_other_body():
-    parts = separate(*shell_of_channel(), keep=False)
+    parts = parts_of(*shell_of_channel(), keep=False)
     assert (parts.cavities, parts.matched) == (2, 2)
 
 
 def test_a_cavity_that_the_other_body_does_not_know_is_not_matched():
     outside, _ = shell_of_channel()
-    parts = separate(outside, join([cube(3, 3.9), turned(cube(4, 2))]), keep=False)
+    parts = parts_of(outside, join([cube(3, 3.9), turned(cube(4, 2))]), keep=False)
     assert (parts.cavities, parts.matched) == (2, 1)
 
 
@@ -169,7 +173,7 @@ def test_a_cavity_that_the_other_body_does_not_know_is_not_matched():
 
 def test_channels_that_leave_nothing_are_refused():
     with pytest.raises(MeshError, match="must leave some material, got 0 mm3"):
-        separate(NOTHING, cube(0, 10), keep=False)
+        parts_of(NOTHING, cube(0, 10), keep=False)
 
 
 def test_a_body_inside_out_is_refused():
