@@ -21,7 +21,7 @@ from .packing import read_value, write_value
 T = TypeVar("T")
 
 #: Kinds of results; each keeps its latest few.
-KINDS = ("envelope", "sites", "wireframe", "network", "scaffold", "solid")
+KINDS = ("history", "envelope", "sites", "wireframe", "network", "scaffold", "solid")
 _MOST_KEPT = 16  # of a kind
 _INDEX = "results.json"
 _kept: OrderedDict[Tuple[str, str], Any] = OrderedDict()

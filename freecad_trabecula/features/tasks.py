@@ -126,7 +126,7 @@ def job_inputs(job: Job, envelope: Part.Shape, progress: Progress = silent) -> I
     if not job.faces and job.prism is not None:
         faces = placed_prism_sites(job.prism, body.envelope)
     key = wireframe_key(body.mark, job.faces or (job.prism,), job.wireframe)
-    return Inputs(body.envelope, faces, job.wireframe, key)
+    return Inputs(body.envelope, faces, job.wireframe, body.mark, key)
 
 
 def _compute(wanted: Dict[str, Any], inputs: Inputs, progress: Progress) -> List[Tuple[str, str]]:

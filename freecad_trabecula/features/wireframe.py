@@ -8,6 +8,7 @@ from typing import Any, Dict, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from ..core import wireframe as core
+from ..core.history import History
 from ..core.parameters import LARGEST_SEED, Coupling, PathParameters, PoreParameters, RodParameters, SiteEdit
 from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
@@ -28,6 +29,7 @@ class Inputs(NamedTuple):
     envelope: Envelope
     faces: Dict[str, SitedFace]
     parameters: WireframeParameters
+    mark: str
     key: str
 
 
@@ -99,7 +101,7 @@ class Wireframe(Feature):
                 if label in faces:
                     raise ParameterError(f"every face must be named once, got {label!r} again in {sites.Label}")
                 faces[label] = one
-        return Inputs(body.envelope, faces, parameters, wireframe_key(body.mark, chosen, parameters))
+        return Inputs(body.envelope, faces, parameters, body.mark, wireframe_key(body.mark, chosen, parameters))
 
     def wireframe(self, obj: Any, progress: Progress = silent) -> core.Wireframe:
         """Return the wireframe, computed if it is not at hand."""
@@ -126,11 +128,12 @@ class Wireframe(Feature):
 
 def made(inputs: Inputs, progress: Progress = silent) -> core.Wireframe:
     """Return the wireframe of inputs, computed if it is not at hand."""
-    return results.found_or_made(
-        "wireframe",
-        inputs.key,
-        lambda: design_wireframe(inputs.parameters, inputs.envelope, inputs.faces, progress),
-    )
+
+    def make() -> core.Wireframe:
+        history = results.found_or_made("history", "rods", History)
+        return design_wireframe(inputs.parameters, inputs.envelope, inputs.faces, progress, history, inputs.mark)
+
+    return results.found_or_made("wireframe", inputs.key, make)
 
 
 def wireframe_of(obj: Any) -> core.Wireframe:

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Dict, List, NamedTuple, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import FreeCAD
 import numpy as np
 import Part
 
-from ..core.assembly import make_wireframe
+from ..core.assembly import draft_wireframe, make_wireframe
+from ..core.history import History
 from ..core.job import Job, check_rods
 from ..core.parameters import PrismParameters, SiteEdit
 from ..core.progress import Progress, part, silent
@@ -118,9 +119,25 @@ def edited(faces: Dict[str, SitedFace], edits: Sequence[SiteEdit]) -> Dict[str, 
 
 
 def design_wireframe(
-    parameters: WireframeParameters, envelope: Envelope, faces: Dict[str, SitedFace], progress: Progress = silent
+    parameters: WireframeParameters,
+    envelope: Envelope,
+    faces: Dict[str, SitedFace],
+    progress: Progress = silent,
+    history: Optional[History] = None,
+    mark: str = "",
 ) -> Wireframe:
     """Return the mended wireframe of an envelope whose faces have sites.
+
+    Parameters
+    ----------
+    parameters : WireframeParameters
+    envelope : Envelope
+    faces : dict of SitedFace, by label
+    progress : callable
+    history : History, optional
+        Rods that were mended before.
+    mark : str
+        Fingerprint of the envelope: tells it from others in the history.
 
     Raises
     ------
@@ -130,7 +147,11 @@ def design_wireframe(
     sites = edited(faces, parameters.edits)
     on = {label: int(one.on.sum()) for label, one in sites.items()}
     check_rods(sum(min(on.get(c.first, 0), on.get(c.second, 0)) for c in parameters.couplings if c.on))
-    return make_wireframe(parameters, sites, envelope.region, envelope.contains, progress)
+    if history is None:
+        return make_wireframe(parameters, sites, envelope.region, envelope.contains, progress)
+    raw = draft_wireframe(parameters, sites, envelope.region, progress)
+    progress(2, 3, "faults")
+    return history.mend(raw, parameters, envelope.region, envelope.contains, mark)
 
 
 def make_design(job: Job, progress: Progress = silent) -> Design:

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rods that were mended before: after a change only those are mended again whose numbers changed (thesis 7.1).
+
+What a rod becomes depends on itself alone: its numbers before mending, its name (whose streams it draws from), the path
+of its coupling, and what is the same for all rods. So the outcome is the same as without a history, to the last bit.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import replace
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from .laws import Region
+from .pores import Pores
+from .records import to_record
+from .recovery import FAULTS, mend
+from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, without
+
+_MOST = 50_000  # rods, some 100 MB
+
+
+class _Rod(NamedTuple):
+    """One rod after mending; ``arrays`` as ``_columns`` lists them."""
+
+    arrays: List[np.ndarray]
+    recovery: Optional[Recovery]
+    failed: bool
+    outside: bool
+
+
+class History:
+    """Outcomes of mending, by all that they depend on."""
+
+    def __init__(self) -> None:
+        self._rods: Dict[str, _Rod] = {}
+
+    def __len__(self) -> int:
+        return len(self._rods)
+
+    def mend(
+        self,
+        raw: Wireframe,
+        parameters: WireframeParameters,
+        region: Region,
+        contains: Optional[Contains],
+        envelope: str = "",
+    ) -> Wireframe:
+        """Return what ``recovery.mend`` would return.
+
+        Parameters
+        ----------
+        raw, parameters, region, contains
+            As for ``recovery.mend``.
+        envelope : str
+            Tells envelopes (``contains`` and ``region``) apart.
+        """
+        keys = _keys(raw, parameters, envelope)
+        known = {key: self._rods.get(key) for key in keys}  # held here, whatever another thread does
+        unknown = np.array([k for k, key in enumerate(keys) if known[key] is None], int)
+        if len(unknown):
+            some = without(raw, unknown)
+            for k, rod in zip(unknown.tolist(), _outcomes(some, mend(some, parameters, region, contains))):
+                known[keys[k]] = rod
+            self._keep({keys[k]: known[keys[k]] for k in unknown.tolist()})
+        return _joined(raw, [known[key] for key in keys])  # type: ignore[misc]
+
+    def _keep(self, rods: Dict[str, Any]) -> None:
+        if len(self._rods) + len(rods) > _MOST:
+            self._rods = {}
+        self._rods.update(rods)
+
+
+def _keys(raw: Wireframe, parameters: WireframeParameters, envelope: str) -> List[str]:
+    common = [to_record(one, everything=True) for one in (parameters.pores, parameters.rods)]
+    paths = [c.path or parameters.path for c in parameters.couplings]
+    shared = []
+    for path in paths:
+        text = json.dumps([envelope, parameters.seed, common, to_record(path, everything=True)], sort_keys=True)
+        shared.append(hashlib.blake2b(text.encode(), digest_size=12).hexdigest())
+    own = zip(raw.coupling.tolist(), raw.names, raw.keys())
+    return [f"{shared[coupling]} {name} {key}" for coupling, name, key in own]
+
+
+def _columns(wireframe: Wireframe) -> List[np.ndarray]:
+    """All arrays (R, ...) that mending may change."""
+    ends = wireframe.ends
+    pores = [getattr(p, name) for p in (ends.first, ends.second) for name in Pores.__dataclass_fields__]
+    return [wireframe.paths, ends.frames, ends.leans, *pores]
+
+
+def _outcomes(raw: Wireframe, mended: Wireframe) -> List[_Rod]:
+    """What became of each rod of ``raw``, in its order; the failed are missing in ``mended``."""
+    recoveries: Dict[str, List[Recovery]] = {}
+    for recovery in mended.recoveries:
+        recoveries.setdefault(recovery.rod, []).append(recovery)
+    before, after, outside = _columns(raw), _columns(mended), set(mended.outside)
+    found, at = [], 0
+    for k, name in enumerate(raw.names):
+        same = at < len(mended) and (name, raw.coupling[k]) == (mended.names[at], mended.coupling[at])
+        arrays = [column[at].copy() for column in after] if same else [column[k].copy() for column in before]
+        own = recoveries.get(name)
+        found.append(_Rod(arrays, own.pop(0) if own else None, not same, same and name in outside))
+        at += same
+    return found
+
+
+def _joined(raw: Wireframe, rods: Sequence[_Rod]) -> Wireframe:
+    """The wireframe of rods in the order of ``raw``, lists in the order in which ``recovery.mend`` gives them."""
+    if not rods:
+        return raw
+    paths, frames, leans, *pores = (np.stack(column) for column in zip(*(rod.arrays for rod in rods)))
+    half = len(pores) // 2
+    ends = replace(raw.ends, frames=frames, leans=leans, first=Pores(*pores[:half]), second=Pores(*pores[half:]))
+    failed = np.array([rod.failed for rod in rods])
+    mended = [rod.recovery for rod in rods if rod.recovery is not None]
+    return replace(
+        without(replace(raw, paths=paths, ends=ends), ~failed),
+        recoveries=tuple(sorted(mended, key=lambda recovery: FAULTS.index(recovery.fault))),
+        failed=tuple(name for name, rod in zip(raw.names, rods) if rod.failed),
+        outside=tuple(name for name, rod in zip(raw.names, rods) if rod.outside),
+    )
