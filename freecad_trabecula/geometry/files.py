@@ -8,6 +8,7 @@ Every file is therefore written under another name, looked at, and then takes it
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 import zipfile
 from contextlib import contextmanager, suppress
@@ -37,8 +38,13 @@ _SHAPE_WRITERS: Dict[str, str] = {
     ".iges": "exportIges",
     ".igs": "exportIges",
 }
-#: How a whole file of the kernel ends, white space aside.
-_ENDS = {"exportStep": b"END-ISO-10303-21;", "exportBrep": b"0", "exportIges": b"1"}
+#: How a whole file of the kernel ends: STEP with its last line, BREP with the shape's number and place after a star,
+#: IGES with the terminate section's only line.
+_ENDS = {
+    "exportStep": re.compile(rb"END-ISO-10303-21;\s*$"),
+    "exportBrep": re.compile(rb"\*\s+[+-]\d+ \d+\s*$"),
+    "exportIges": re.compile(rb"T[0 ]*1\s*$"),
+}
 MESH_FORMATS = tuple(kind[1:] for kind in _MESH_WRITERS)
 SHAPE_FORMATS = tuple(kind[1:] for kind in _SHAPE_WRITERS)
 _SAMPLE = 6  # solids written to estimate the size of all
@@ -76,7 +82,7 @@ def write_shape(path: PathLike, shape: Part.Shape) -> None:
         getattr(shape, method)(part)
         with open(part, "rb") as file:
             file.seek(max(os.path.getsize(part) - 200, 0))
-            if not file.read().rstrip().endswith(_ENDS[method]):
+            if not _ENDS[method].search(file.read()):
                 raise ExportError(f"{path} could not be written whole: is the disk full?")
 
 

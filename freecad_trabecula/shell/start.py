@@ -118,8 +118,9 @@ class Session:
 def start(task: Dict[str, Any]) -> None:
     """Run a task and end the process."""
     _find_package()
-    if hasattr(signal, "SIGPIPE"):
-        signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+    for name in ("SIGPIPE", "SIGXFSZ"):  # 1.1 leaves them to kill: no reader, no room; Python makes errors of them
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
     session = Session()
     session.watch()
     with session:
