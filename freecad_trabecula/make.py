@@ -27,6 +27,7 @@ from .features.makers import (
     make_wireframe,
     set_wireframe_parameters,
 )
+from .features.network import rod_at
 from .features.scaffold import bodies_of
 from .features.tasks import run_task, take_results, write_task
 from .features.wireframe import wireframe_of
@@ -49,6 +50,7 @@ __all__ = [
     "make_scaffold",
     "make_wireframe",
     "move_site",
+    "rod_at",
     "run_task",
     "set_pore",
     "set_wireframe_parameters",

@@ -7,6 +7,7 @@ import hashlib
 from dataclasses import replace
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
+import FreeCAD
 import numpy as np
 import Part
 
@@ -15,6 +16,7 @@ from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
 from ..core.rods import rod_volumes
 from ..errors import KernelError, ParameterError
+from ..geometry.rod_solids import rod_solids
 from .feature import is_a, result
 from .on_demand import OnDemand, on_demand
 from .wireframe import Wireframe
@@ -72,6 +74,7 @@ class Network(OnDemand):
         obj.LargestDifference = 100 * float(differences(value).max(initial=0.0))
         obj.RodKeys, obj.RodNames, obj.RodVolumes = list(value.keys), list(value.names), value.volumes.tolist()
         obj.Shape = value.compound
+        obj.Placement = FreeCAD.Placement()
 
     def said(self, obj: Any) -> str:
         """Return rods and volume."""
@@ -95,7 +98,9 @@ def wireframe_object(obj: Any) -> Any:
 
 def kept_rods(obj: Any) -> Dict[str, Tuple[Part.Shape, float]]:
     """Return the solids that an object shows, with their volumes, by key; also after its file was opened again."""
-    solids, keys, volumes = obj.Shape.Solids, obj.RodKeys, obj.RodVolumes
+    shape = obj.Shape.copy(False)
+    shape.Placement = FreeCAD.Placement()  # whoever moved the network, new rods stand in the envelope
+    solids, keys, volumes = shape.Solids, obj.RodKeys, obj.RodVolumes
     if not len(solids) == len(keys) == len(volumes):
         return {}
     return dict(zip(keys, zip(solids, volumes)))
@@ -122,8 +127,6 @@ def build(
     KernelError
         If a rod cannot be built.
     """
-    from ..geometry.rod_solids import rod_solids
-
     keys, kept = rod_keys(wireframe, parameters), kept or {}
     missing = [k for k, key in enumerate(keys) if key not in kept]
     solids: List[Any] = [kept[key][0] if key in kept else None for key in keys]
@@ -133,6 +136,61 @@ def build(
         solids[k], volumes[k] = solid, solid.Volume
     mesh_volumes = rod_volumes(core.skin(wireframe, replace(parameters, deflection=0.0)))  # 0: fine for the pores' size
     return Rods(tuple(keys), wireframe.names, Part.makeCompound(solids), volumes, mesh_volumes)
+
+
+class RodFacts(NamedTuple):
+    """What is known of one rod: number, name, names of its two sites, sizes there (mm), its volume (mm3)."""
+
+    number: int
+    name: str
+    sites: Tuple[str, str]
+    sizes: Tuple[float, float]
+    volume: float
+
+
+def rod_at(obj: Any, face: str) -> RodFacts:
+    """Return the rod of a network object to which a face belongs.
+
+    Parameters
+    ----------
+    obj : document object
+        A network.
+    face : str
+        As FreeCAD names it, e.g. from a selection.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such face.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.presets import preset
+    >>> network = make.make_network(make.make_design(FreeCAD.newDocument(), preset("case1")).wireframe)
+    >>> make.rod_at(network, "Face1").sites
+    ('Face1.1.1', 'Face2.1.1')
+    """
+    ends = np.cumsum([len(solid.Faces) for solid in obj.Shape.Solids])
+    number = int(face[4:]) if face.startswith("Face") and face[4:].isdigit() else 0
+    count = int(ends[-1]) if len(ends) else 0
+    if not 1 <= number <= count:
+        raise ParameterError(f"a face of {obj.Label} must be one of Face1..Face{count}, got {face!r}")
+    k = int(np.searchsorted(ends, number))
+    return rod_facts(obj, k)
+
+
+def rod_facts(obj: Any, number: int) -> RodFacts:
+    """Return what is known of the rod with a number, from 0, of a network object."""
+    wireframe = wireframe_object(obj).Proxy.wireframe(obj.Wireframe)
+    name = obj.RodNames[number]
+    k = wireframe.names.index(name)
+    coupling = wireframe_object(obj).Proxy.parameters(obj.Wireframe).couplings[int(wireframe.coupling[k])]
+    first, second = wireframe.site_numbers[k].tolist()
+    sites = (wireframe.sites[coupling.first].names[first], wireframe.sites[coupling.second].names[second])
+    sizes = (float(wireframe.ends.first.size[k]), float(wireframe.ends.second.size[k]))
+    return RodFacts(number, name, sites, sizes, float(obj.RodVolumes[number]))
 
 
 def rod_keys(wireframe: core.Wireframe, parameters: RodParameters) -> List[str]:
