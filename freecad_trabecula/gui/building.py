@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
-from typing import Any, Callable, NamedTuple, Optional, Sequence, Set
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Set
 
 import FreeCAD
 import Part
@@ -13,11 +13,12 @@ import Part
 from .. import make
 from ..core.job import Job
 from ..core.records import to_record
-from ..errors import DependencyError, TrabeculaError
+from ..errors import DependencyError, KernelError, TrabeculaError
 from ..features.tasks import write_job_task
 from .child_work import ChildWork, Progress, task_work
 from .install import PACKAGE
-from .transactions import record, transaction
+from .qt import invoke_later
+from .transactions import record
 from .view_providers import products_of, type_of
 
 #: Works that have not ended yet: a cancelled one lives on here until its process is gone.
@@ -55,6 +56,7 @@ class Building:
     def __init__(self, target: Target, job: Job, kinds: Sequence[str], listener: Listener) -> None:
         self._target, self._job, self._kinds, self._listener = target, job, tuple(kinds), listener
         self._work: Optional[ChildWork] = None
+        self._writing: Optional[Writing] = None
 
     def start(self, solid: Optional[Part.Shape]) -> None:
         """Start the work on the envelope's solid; None for the job's prism.
@@ -81,16 +83,19 @@ class Building:
         if self._work is not None:
             self._work.cancel()
             self._work = None
+        if self._writing is not None:
+            self._writing.cancel()
+            self._writing = None
 
     def _take(self, folder: str) -> None:
         self._work = None
         try:
             make.take_results(folder)
-            put_into_document(self._target, self._job, self._kinds)
         except TrabeculaError as error:
             self._listener.failed(error)
-        else:
-            self._listener.done()
+            return
+        self._writing = Writing(self._target, self._job, self._kinds, self._listener)
+        self._writing.start()
 
     def _fail(self, text: str) -> None:
         self._work = None
@@ -98,46 +103,79 @@ class Building:
         self._listener.failed(DependencyError(text) if missing else TrabeculaError(text))
 
 
-def put_into_document(target: Target, job: Job, kinds: Sequence[str]) -> None:
-    """Make a design in a document, or change one that is there: one step to undo, recorded in macros.
+class Writing:
+    """Puts a design into a document, or changes one that is there: one step to undo, recorded in macros.
 
-    Raises
-    ------
-    TrabeculaError
-        If a step fails; the document is then as it was.
+    Between its steps the window gets its turn; what they need has been computed before.
     """
-    document = FreeCAD.getDocument(target.document)
-    with transaction(document, "Design rods"):
+
+    def __init__(self, target: Target, job: Job, kinds: Sequence[str], listener: Listener) -> None:
+        self._target, self._job, self._listener = target, job, listener
+        self._steps: List[Callable[[], None]] = [self._write_design]
+        self._steps += [lambda kind=kind: self._write_body(kind) for kind in kinds]
+        self._steps += [lambda: _show(self._wireframe())]
+        self._document: Any = None
+
+    def start(self) -> None:
+        """Open the step to undo and begin."""
+        self._document = FreeCAD.getDocument(self._target.document)
+        self._document.openTransaction("Design rods")
+        self._go_on()
+
+    def cancel(self) -> None:
+        """Take back what was written."""
+        self._steps = []
+        if self._document is not None and self._target.document in FreeCAD.listDocuments():
+            self._document.abortTransaction()
+        self._document = None
+
+    def _go_on(self) -> None:
+        if self._document is None:
+            return
+        try:
+            if self._steps:
+                self._steps.pop(0)()
+        except TrabeculaError as error:
+            self.cancel()
+            self._listener.failed(error)
+        except BaseException:
+            self.cancel()
+            self._listener.failed(KernelError("the design could not be written; the report view says why"))
+            raise
+        else:
+            if self._steps:
+                invoke_later(self._go_on)
+            else:
+                self._document.commitTransaction()
+                self._document = None
+                self._listener.done()
+
+    def _write_design(self) -> None:
+        target = self._target
         record("import FreeCAD")
         record("from freecad_trabecula import make")
         record("from freecad_trabecula.core.job import job_from_json")
         record(f"document = FreeCAD.getDocument({target.document!r})")
-        record(f"job = job_from_json({json.dumps(to_record(job))!r})")
+        record(f"job = job_from_json({json.dumps(to_record(self._job))!r})")
         if target.wireframe:
             record(f"wireframe = document.getObject({target.wireframe!r})")
             record("make.change_design(wireframe, job)")
         else:
             envelope = f", envelope=document.getObject({target.envelope!r})" if target.envelope else ""
             record(f"wireframe = make.make_design(document, job{envelope}).wireframe")
-        wireframe = _made(document, target)
-        _make_bodies(wireframe, kinds)
-        _show(wireframe)
 
+    def _wireframe(self) -> Any:
+        if self._target.wireframe:
+            return self._document.getObject(self._target.wireframe)
+        return [obj for obj in self._document.Objects if type_of(obj) == "Trabecula::Wireframe"][-1]
 
-def _made(document: Any, target: Target) -> Any:
-    if target.wireframe:
-        return document.getObject(target.wireframe)
-    return [obj for obj in document.Objects if type_of(obj) == "Trabecula::Wireframe"][-1]
-
-
-def _make_bodies(wireframe: Any, kinds: Sequence[str]) -> None:
-    """Bring the bodies that there are up to date, and make those that are wanted and missing."""
-    there = {one.Proxy.KIND: one for one in products_of(wireframe)}
-    for kind in kinds:
+    def _write_body(self, kind: str) -> None:
+        """Bring a body that there is up to date, or make it."""
+        there = {one.Proxy.KIND: one for one in products_of(self._wireframe())}
         parameters = "" if kind == "network" else ", job.scaffold"
         if kind not in there:
             record(f"make.{MAKERS[kind]}(wireframe{parameters})")
-            continue
+            return
         record(f"body = document.getObject({there[kind].Name!r})")
         if parameters:
             record("from freecad_trabecula.features.base import write_parameters")

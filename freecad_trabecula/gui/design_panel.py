@@ -16,7 +16,7 @@ from ..core.presets import preset
 from ..errors import TrabeculaError
 from . import panels
 from .build_bar import BuildBar
-from .building import MAKERS, Building, Listener, Target, put_into_document
+from .building import MAKERS, Building, Listener, Target, Writing
 from .design_form import Callbacks, DesignForm, Envelope
 from .outcome import Outcome
 from .picking import FacePicker, is_solid
@@ -219,10 +219,13 @@ class DesignPanel:
             if kinds or job != self._drawn:
                 self._start(job, kinds)
                 return False
-            put_into_document(self._target(), job, ())
-            self._leave()
-            FreeCADGui.Control.closeDialog()
+            # found at hand: the preview has computed it
+            Writing(self._target(), job, (), Listener(lambda _: None, self._close, self._not_built)).start()
         return False
+
+    def _close(self) -> None:
+        self._leave()
+        FreeCADGui.Control.closeDialog()
 
     def reject(self) -> bool:
         """Leave the document as it was."""
@@ -235,6 +238,7 @@ class DesignPanel:
         """Close the panel when its document is closed (FreeCAD's observer protocol)."""
         if self._open and document.Name == self.document.Name:
             self.cancel()
+            self._clear_view.forget()
             self._leave()
             invoke_later(FreeCADGui.Control.closeDialog)
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import Any, Optional
 
 import numpy as np
@@ -21,7 +20,6 @@ class Preview:
     """Sites, pairs and rods in a view, until ``close``."""
 
     def __init__(self, view: Any) -> None:
-        self._view = view
         self.colouring = COLOURINGS[0]
         self._drawing: Optional[Drawing] = None
         self._strips: Optional[np.ndarray] = None
@@ -35,7 +33,9 @@ class Preview:
         self._idle, _ = self._add_points(_IDLE_SITE, 4.0, self._sites_switch)
         self._pairs, self._pairs_switch = self._add_lines(_PAIR, 1.0)
         self._edges, self._edges_switch = self._add_lines(_EDGE, 1.5)
-        view.getSceneGraph().addChild(self.node)
+        # the scene, not the view: FreeCAD crashes when a view is asked whose document was closed
+        self._scene = view.getSceneGraph()
+        self._scene.addChild(self.node)
 
     # -------------------------------------------------------------------------------------------------- the nodes
 
@@ -132,8 +132,8 @@ class Preview:
 
     def close(self) -> None:
         """Take the node out of the view."""
-        with suppress(RuntimeError, ReferenceError):  # the view may be closed, its scene gone
-            self._view.getSceneGraph().removeChild(self.node)
+        if self._scene.findChild(self.node) >= 0:
+            self._scene.removeChild(self.node)
 
 
 def _fill(field: Any, values: np.ndarray) -> None:

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any, List, NamedTuple, Optional, Sequence
+from html import escape
+from typing import Any, Sequence
 
 import FreeCAD
 import FreeCADGui
@@ -13,23 +14,16 @@ from ..core.couplings import CouplingRow
 from ..core.wireframe import Recovery
 from ..features.base import records_of
 from .accordion import Accordion
+from .export_dialog import export_design
+from .figures import Checked, checks_of, figures_of, headline, notes_of
 from .histogram import Histogram
 from .outcome import GREEN, ORANGE, RED
 from .qt import Buttons, flags_of, icon, invoke_later, widen_dock
-from .view_providers import products_of
+from .transactions import told
+from .view_providers import look_of, parts_of, products_of
 
 translate = FreeCAD.Qt.translate
-WIDTH = 385  # pixels that the form needs
-
-
-class Figure(NamedTuple):
-    """One row: name, value, value by a second route, difference; ``ok`` is None where nothing is checked."""
-
-    name: str
-    value: str
-    second: str = ""
-    difference: str = ""
-    ok: Optional[bool] = None
+WIDTH = 420  # pixels that the form needs
 
 
 class ResultsPanel:
@@ -38,10 +32,14 @@ class ResultsPanel:
     def __init__(self, wireframe: Any) -> None:
         self.wireframe, self._open = wireframe, True
         self._document = wireframe.Document.Name
-        self.headline, self.warnings = QtGui.QLabel(), QtGui.QLabel()
-        self.warnings.setWordWrap(True)
-        self.figures, self.couplings, self.recoveries = table(4), table(4), table(4)
+        self.headline, self.notes = QtGui.QLabel(), QtGui.QLabel()
+        self.notes.setWordWrap(True)
+        self.figures, self.couplings, self.recoveries = table(2), table(4), table(4)
+        self.figures.setMinimumHeight(310)
+        self.checks = QtGui.QTextBrowser()
+        self.checks.setMinimumHeight(330)
         self.histogram = Histogram(translate("Trabecula", "Size of the end sections, mm"))
+        self.shown = QtGui.QWidget()
         self.form = self._make_form()
         FreeCAD.addDocumentObserver(self)
         self.show()
@@ -53,40 +51,77 @@ class ResultsPanel:
         form.setWindowIcon(icon("Trabecula_results"))
         self.sections = Accordion()
         for title, picture, page in (
-            (translate("Trabecula", "Figures and checks"), "results", self.figures),
+            (translate("Trabecula", "Figures"), "results", self.figures),
+            (translate("Trabecula", "Checks"), "scaffold", self.checks),
             (translate("Trabecula", "Pore sizes"), "pore", self.histogram),
             (translate("Trabecula", "Couplings"), "coupling", self.couplings),
             (translate("Trabecula", "Recoveries"), "path", self.recoveries),
         ):
             self.sections.add(title, icon("Trabecula_" + picture), page)
+        export = QtGui.QPushButton(translate("Trabecula", "Export …"))
+        export.setIcon(icon("Trabecula_export"))
+        export.clicked.connect(lambda *_: self._export())
+        self._boxes = QtGui.QGridLayout(self.shown)
+        self._boxes.setContentsMargins(0, 0, 0, 0)
         column = QtGui.QVBoxLayout(form)
-        column.setContentsMargins(6, 6, 6, 6)
-        for widget in (self.headline, self.warnings, self.sections):
+        column.setContentsMargins(6, 4, 6, 4)
+        column.setSpacing(4)
+        for widget in (self.headline, self.shown, self.notes, self.sections, export):
             column.addWidget(widget)
         return form
+
+    def _export(self) -> None:
+        with told():
+            export_design(self.wireframe)
+
+    # ----------------------------------------------------------------------------------------------- what it shows
 
     def show(self) -> None:
         """Show what the objects hold."""
         obj = self.wireframe
         self.headline.setText(f"<b>{headline(obj)}</b>")
-        notes = [*obj.Warnings, *outdated(obj)]
-        self.warnings.setText(f'<span style="color:{ORANGE}">' + "<br>".join(notes) + "</span>")
-        self.warnings.setVisible(bool(notes))
-        names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"),
-                 translate("Trabecula", "Second route"), translate("Trabecula", "Apart"))  # fmt: skip
-        fill(self.figures, names, figures(obj))
-        rows = records_of(obj.CouplingTable, CouplingRow, "row")
-        fill(self.couplings, (translate("Trabecula", "Faces"), translate("Trabecula", "Available"),
-             translate("Trabecula", "Rods"), translate("Trabecula", "Left")), [Figure(
-                f"{r.first} – {r.second}", f"{r.available_first} · {r.available_second}", str(r.rods),
-                f"{r.left_first} · {r.left_second}") for r in rows])  # fmt: skip
-        mended = records_of(obj.Recoveries, Recovery, "recovery")
-        fill(self.recoveries, (translate("Trabecula", "Rod"), translate("Trabecula", "Fault"),
-             translate("Trabecula", "Remedy"), translate("Trabecula", "Attempts")),
-             [Figure(r.rod, r.fault, r.remedy, str(r.attempts)) for r in mended])  # fmt: skip
-        self.sections.set_summary(2, str(len(rows)))
-        self.sections.set_summary(3, str(len(mended)) if mended else translate("Trabecula", "none"))
+        notes = notes_of(obj)
+        self.notes.setText(f'<span style="color:{ORANGE}">' + "<br>".join(notes) + "</span>")
+        self.notes.setVisible(bool(notes))
+        self._offer_bodies()
+        names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"))
+        fill(self.figures, names, [row[:2] for row in figures_of(obj)])
+        rows = checks_of(obj)
+        self.checks.setHtml("".join(check_text(row) for row in rows))
+        good = sum(row.ok for row in rows)
+        self.sections.set_summary(1, translate("Trabecula", "{} of {} hold").format(good, len(rows)))
+        self._show_couplings(records_of(obj.CouplingTable, CouplingRow, "row"))
+        self._show_recoveries(records_of(obj.Recoveries, Recovery, "recovery"))
         self.histogram.set_values(obj.PoreSizes)
+        sizes = list(obj.PoreSizes) or [0.0]
+        self.sections.set_summary(2, f"{min(sizes):.2f}–{max(sizes):.2f} mm")
+
+    def _show_couplings(self, rows: Sequence[CouplingRow]) -> None:
+        titles = (translate("Trabecula", "Faces"), translate("Trabecula", "Available"),
+                  translate("Trabecula", "Rods"), translate("Trabecula", "Left"))  # fmt: skip
+        fill(self.couplings, titles, [(
+            f"{r.first} – {r.second}", f"{r.available_first} · {r.available_second}", str(r.rods),
+            f"{r.left_first} · {r.left_second}") for r in rows])  # fmt: skip
+        self.sections.set_summary(3, str(len(rows)))
+
+    def _show_recoveries(self, mended: Sequence[Recovery]) -> None:
+        titles = (translate("Trabecula", "Rod"), translate("Trabecula", "Fault"),
+                  translate("Trabecula", "Remedy"), translate("Trabecula", "Attempts"))  # fmt: skip
+        fill(self.recoveries, titles, [(r.rod, r.fault, r.remedy, str(r.attempts)) for r in mended])
+        self.sections.set_summary(4, str(len(mended)) if mended else translate("Trabecula", "none"))
+
+    def _offer_bodies(self) -> None:
+        """Offer a switch for each body: whether it is seen."""
+        while self._boxes.count():
+            self._boxes.takeAt(0).widget().deleteLater()
+        for number, obj in enumerate([self.wireframe, *parts_of(self.wireframe)]):
+            box = QtGui.QCheckBox(obj.Label)
+            box.setIcon(icon(look_of(obj).icon))
+            box.setChecked(bool(obj.ViewObject.Visibility))
+            box.toggled.connect(lambda on, view=obj.ViewObject: setattr(view, "Visibility", bool(on)))
+            self._boxes.addWidget(box, number // 3, number % 3)
+
+    # ------------------------------------------------------------------------------------------------- task panel
 
     def getStandardButtons(self) -> Any:
         """Return the buttons above the form."""
@@ -104,6 +139,12 @@ class ResultsPanel:
             self._leave()
             invoke_later(FreeCADGui.Control.closeDialog)
 
+    def slotDeletedObject(self, obj: Any) -> None:
+        """Close the panel when its design goes, by undo for instance (FreeCAD's observer protocol)."""
+        if self._open and obj == self.wireframe:
+            self._leave()
+            invoke_later(FreeCADGui.Control.closeDialog)
+
     def slotRecomputedObject(self, obj: Any) -> None:
         """Show the figures anew when an object has been computed again (FreeCAD's observer protocol)."""
         if self._open and obj.Document.Name == self._document and obj in (self.wireframe, *products_of(self.wireframe)):
@@ -115,74 +156,36 @@ class ResultsPanel:
             FreeCAD.removeDocumentObserver(self)
 
 
-# ------------------------------------------------------------------------------------------------------ the figures
-
-
-def headline(wireframe: Any) -> str:
-    """Return the most important numbers of a design."""
-    porosity = [one.Porosity for one in products_of(wireframe) if hasattr(one, "Porosity")]
-    text = translate("Trabecula", "{} rods").format(wireframe.Rods)
-    return text + (translate("Trabecula", ", porosity {:.2f} %").format(porosity[0]) if porosity else "")
-
-
-def outdated(wireframe: Any) -> List[str]:
-    """Return a sentence for each body that belongs to older inputs or has an error."""
-    return [f"{one.Label}: {one.Status}" for one in products_of(wireframe) if not one.UpToDate]
-
-
-def figures(wireframe: Any) -> List[Figure]:
-    """Return the figures of a design and of the bodies made of it."""
-    rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods), "", "", None if wireframe.Rods else False)]
-    for name, values in (
-        (translate("Trabecula", "Rods left out"), wireframe.Failed),
-        (translate("Trabecula", "Rods outside"), wireframe.Outside),
-    ):
-        rows.append(Figure(name, str(len(values)), "", "", not values))
-    for one in products_of(wireframe):
-        if one.Proxy.KIND == "network":
-            rows += network_figures(one)
-    return rows
-
-
-def network_figures(network: Any) -> List[Figure]:
-    """Return the figures of a network of solids."""
-    volume = Figure(
-        translate("Trabecula", "Sum of the rods"),
-        f"{network.RodVolume.Value:.4f} mm³",
-        f"{network.MeshVolume.Value:.4f} mm³",
-        f"{network.Difference:.4f} %",
-        bool(network.UpToDate),
-    )
-    worst = f"{network.LargestDifference:.4f} %"
-    return [volume, Figure(translate("Trabecula", "Worst rod"), "", "", worst, bool(network.UpToDate))]
-
-
-# ------------------------------------------------------------------------------------------------------- the tables
-
-
 def table(columns: int) -> Any:
     """Return a table to be read."""
     widget = QtGui.QTableWidget(0, columns)
     widget.verticalHeader().hide()
-    widget.verticalHeader().setDefaultSectionSize(22)
-    widget.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
-    widget.horizontalHeader().setStretchLastSection(True)
+    widget.verticalHeader().setDefaultSectionSize(20)
+    header = widget.horizontalHeader()
+    header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+    header.setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
     widget.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
     widget.setSelectionMode(QtGui.QAbstractItemView.NoSelection)
+    widget.setTextElideMode(QtCore.Qt.ElideRight)
+    widget.setWordWrap(False)
     widget.setMinimumHeight(220)
     return widget
 
 
-def fill(widget: Any, names: Sequence[str], rows: Sequence[Figure]) -> None:
-    """Show figures in a table, those that were checked in green or red."""
+def fill(widget: Any, names: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Show rows of texts in a table."""
     widget.setHorizontalHeaderLabels(list(names))
     widget.setRowCount(len(rows))
     for number, row in enumerate(rows):
-        for column, text in enumerate(row[:4]):
+        for column, text in enumerate(row):
             item = QtGui.QTableWidgetItem(text)
+            item.setToolTip(text)
             if column:
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-            elif row.ok is not None:
-                item.setText(("✓ " if row.ok else "✗ ") + text)
-                item.setForeground(QtGui.QBrush(QtGui.QColor(GREEN if row.ok else RED)))
             widget.setItem(number, column, item)
+
+
+def check_text(row: Checked) -> str:
+    """Return a check as HTML: green if it holds, red if not."""
+    sign, colour = ("✓", GREEN) if row.ok else ("✗", RED)
+    return f'<p style="margin:3px"><b style="color:{colour}">{sign} {escape(row.name)}</b><br>{escape(row.found)}</p>'

@@ -26,6 +26,10 @@ class ClearView:
             else:
                 view.Visibility = False
 
+    def forget(self) -> None:
+        """Give nothing back: the document is being closed."""
+        self._before = {}
+
     def restore(self) -> None:
         """Give back what there was; objects that have gone are passed over."""
         for view, visible, transparency in self._before.values():

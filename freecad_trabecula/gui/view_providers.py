@@ -7,6 +7,9 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 from .qt import icon_path, invoke_later
 
+#: Of what is seen, not of what is made: % of the size, and degrees. With FreeCAD's 0.2 % and 28.65 degrees the window
+#: stands still for 1.6 s when 147 rods appear, with these for 0.3 s.
+DEVIATION, ANGLE = 2.0, 60.0
 Colour = Tuple[float, float, float]
 _BONE, _DARK, _BLUE = (0.93, 0.85, 0.68), (0.30, 0.17, 0.08), (0.25, 0.45, 0.70)
 _TEAL, _RED, _ORANGE = (0.35, 0.62, 0.65), (0.84, 0.27, 0.27), (0.93, 0.60, 0.10)
@@ -65,6 +68,8 @@ def apply_look(obj: Any) -> None:
         ("LineColor", _DARK if look.icon == "Trabecula_network" else look.colour),
         ("PointSize", look.points),
         ("LineWidth", look.lines),
+        ("Deviation", DEVIATION),
+        ("AngularDeflection", ANGLE),
     ):
         if hasattr(view, name):
             setattr(view, name, value)

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The figures of a design as rows of a table, read from the properties of its objects."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, List, NamedTuple
+
+import FreeCAD
+
+from ..features.network import MOST_DIFFERENCE
+from .view_providers import products_of
+
+translate = FreeCAD.Qt.translate
+#: A check as ``core.bodies.Check`` writes it.
+_CHECK = re.compile(
+    r"(?P<name>.+): (?P<value>\S+) against (?P<second>\S+), (?P<apart>\S+) apart \(at most (?P<most>\S+)\)"
+)
+
+
+class Figure(NamedTuple):
+    """A quantity and its value; ``tip`` says more."""
+
+    name: str
+    value: str
+    tip: str = ""
+
+
+class Checked(NamedTuple):
+    """Something that must hold: what, whether it does, what was found."""
+
+    name: str
+    ok: bool
+    found: str
+
+
+def headline(wireframe: Any) -> str:
+    """Return the most important numbers of a design."""
+    text = translate("Trabecula", "{} rods").format(wireframe.Rods)
+    for one in products_of(wireframe):
+        if hasattr(one, "Porosity") and one.EngineUsed:
+            return text + translate("Trabecula", ", porosity {:.2f} %").format(one.Porosity)
+    return text
+
+
+def notes_of(wireframe: Any) -> List[str]:
+    """Return what a user must know: warnings, bodies that are out of date or in error, notes of the engines."""
+    notes = list(wireframe.Warnings)
+    for one in products_of(wireframe):
+        if not one.UpToDate or one.Status.startswith("error"):
+            notes.append(f"{one.Label}: {one.Status}")
+        notes += getattr(one, "Notes", [])
+    return notes
+
+
+def figures_of(wireframe: Any) -> List[Figure]:
+    """Return the figures of a design and of the bodies made of it."""
+    rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods))]
+    for one in products_of(wireframe):
+        if hasattr(one, "RodVolume"):
+            rows.append(Figure(translate("Trabecula", "Sum of the rods, mm³"), f"{one.RodVolume.Value:.3f}"))
+        elif hasattr(one, "Porosity") and one.EngineUsed:
+            rows += scaffold_figures(one, wireframe.Rods)
+    return rows
+
+
+def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:
+    """Return the figures of a scaffold: porosity, volumes, counts, times."""
+    counted = translate("Trabecula", "{} ({:.3g} mm³)")
+    loose, voids = scaffold.LooseVolume.Value, scaffold.VoidVolume.Value
+    return [
+        Figure(translate("Trabecula", "Porosity of the scaffold (Eq. 2.2)"), f"{scaffold.Porosity:.3f} %"),
+        Figure(translate("Trabecula", "Union of the rods in the envelope"), f"{scaffold.UnionPorosity:.3f} %"),
+        Figure(translate("Trabecula", "Plain sum of the rods"), f"{scaffold.SumPorosity:.3f} %"),
+        Figure(translate("Trabecula", "Envelope"), f"{scaffold.EnvelopeVolume.Value:.3f} mm³"),
+        Figure(translate("Trabecula", "Scaffold"), f"{scaffold.ScaffoldVolume.Value:.3f} mm³"),
+        Figure(translate("Trabecula", "Channels"), f"{scaffold.ChannelVolume.Value:.3f} mm³"),
+        Figure(translate("Trabecula", "Loose pieces"), counted.format(scaffold.LoosePieces, loose)),
+        Figure(translate("Trabecula", "Voids that no opening reaches"), counted.format(scaffold.Voids, voids)),
+        Figure(translate("Trabecula", "Connected pieces of the scaffold"), str(scaffold.Pieces)),
+        Figure(translate("Trabecula", "Connected channels"), str(scaffold.Openings)),
+        Figure(translate("Trabecula", "Engine"), scaffold.EngineUsed, scaffold.Reason),
+        Figure(translate("Trabecula", "Time"), f"{scaffold.Seconds:.1f} s"),
+        Figure(translate("Trabecula", "Time for a rod"), f"{scaffold.Seconds / max(rods, 1):.3f} s"),
+    ]
+
+
+def checks_of(wireframe: Any) -> List[Checked]:
+    """Return all that must hold of a design and its bodies."""
+    rows = []
+    for name, rods in (
+        (translate("Trabecula", "No rod is left out"), wireframe.Failed),
+        (translate("Trabecula", "No rod leaves the envelope"), wireframe.Outside),
+    ):
+        rows.append(Checked(name, not rods, ", ".join(rods[:20]) or translate("Trabecula", "none")))
+    for one in products_of(wireframe):
+        name = translate("Trabecula", "{} is up to date and without error").format(one.Label)
+        rows.append(Checked(name, bool(one.UpToDate) and not one.Status.startswith("error"), one.Status))
+        if hasattr(one, "RodVolume") and one.RodVolume.Value:
+            name = translate("Trabecula", "Rods as solids and as meshes, mm³")
+            found = translate("Trabecula", "{:.3f} against {:.3f}, {:.3g} % apart; worst rod {:.3g} % (at most {:g} %)")
+            volumes = one.RodVolume.Value, one.MeshVolume.Value
+            most = 100 * MOST_DIFFERENCE
+            found = found.format(*volumes, one.Difference, one.LargestDifference, most)
+            rows.append(Checked(name, one.LargestDifference <= most, found))
+        rows += [checked(text) for text in getattr(one, "Checks", [])]
+    return rows
+
+
+def checked(text: str) -> Checked:
+    """Return a check from the text that an object keeps of it.
+
+    Examples
+    --------
+    >>> checked("a and b, mm3: 3 against 3.1, 0.03 apart (at most 0.1)")
+    Checked(name='a and b, mm³', ok=True, found='3 against 3.1, 0.03 apart (at most 0.1)')
+    """
+    found = _CHECK.match(text)
+    if found is None:
+        return Checked(text, False, "")
+    try:
+        ok = float(found["apart"]) <= float(found["most"])
+    except ValueError:
+        ok = False
+    return Checked(found["name"].replace("mm3", "mm³"), ok, found["found"])
