@@ -45,4 +45,5 @@ try:
 except BaseException:  # noqa: BLE001
     traceback.print_exc()
     sys.exit(1)
+sys.stdout.flush()  # FreeCAD 1.1 would not print the last words into a pipe
 sys.exit(0)

@@ -77,7 +77,7 @@ def test_case_6_says_147_rods_and_leaves_closed_meshes_that_add_up(outputs):
 
 def test_by_hand_each_change_rebuilds_one_rod_at_most(outputs):
     _, _, said = outputs("by_hand.py")
-    steps = dict(re.findall(r"([^\t\n]*): \d+ rods, (\d+) built again", said))
+    steps = dict(re.findall(r"([^\t\r\n]*): \d+ rods, (\d+) built again", said))
     assert {step: int(count) for step, count in steps.items() if step.startswith(("one", "a site"))} == {
         "one pore larger": 1,
         "one site moved": 1,
