@@ -195,6 +195,49 @@ EXAMPLES = (
 )
 
 
+RESULTS = """\
+## What the command writes
+
+`--out DIR` receives all files together at the end of the run; a run that fails or is stopped (Ctrl-C, a signal, a
+crash) leaves the folder as it was. Files of the same names are replaced, others are left alone.
+
+| file | what it is |
+|---|---|
+| `scaffold.stl`, `channels.stl` | both bodies, binary, closed; read again and compared before the run ends |
+| `network.step` | the rods, one solid each |
+| `scaffold.step` | the scaffold as a solid, with `--engine brep` |
+| `design.FCStd` | the document, everything in it editable |
+| `report.md` | tables after the thesis' 3.1 to 3.6 and 4.1 to 4.6 |
+| `report.json` | the same for scripts |
+| `scaffold.obj`, `.ply`, `.3mf`, `channels.*`, `network.brep` | with `--also obj`, `ply`, `3mf`, `brep` |
+
+Keys of `report.json` (volumes mm3, sizes mm, times s, file sizes bytes):
+
+| key | what it is |
+|---|---|
+| `rods`, `seed`, `name` | |
+| `porosity`, `porosity_percent` | 1 - scaffold / envelope (Eq. 2.2): of what is exported |
+| `union_porosity_percent` | what the rods fill of the envelope |
+| `sum_porosity_percent` | the plain sum of the rods, crossings counted twice |
+| `volume_mm3` | `envelope`, `layers`, `channels`, `scaffold`, `loose`, `closed_voids`, `rods` |
+| `watertight`, `ok`, `checks` | each check with both values, their difference and what it may be |
+| `engine` | `asked`, `used`, `why` |
+| `pieces` | connected pieces of scaffold and channels, loose pieces, closed voids |
+| `faces`, `couplings` | tables 4.1, 4.2 |
+| `pores` | sizes, estimated areas s^2, true areas, histogram of sizes |
+| `recoveries`, `failed_rods`, `outside_rods`, `warnings` | by the rods' names |
+| `seconds`, `seconds_by_step` | of all; of each step |
+| `seconds_of_network`, `seconds_per_rod` | of sites, paths, rods, as the thesis counts |
+| `manual_seconds`, `manual_seconds_per_rod` | estimated for manual design (thesis 2.3.3) |
+| `files`, `versions`, `thesis`, `job` | sizes; programs; the thesis' figures for a preset; the whole job |
+
+Scaffold + channels + loose pieces = envelope + layers: the first of the checks.
+
+The exit code is 0 only if all checks held; 1 if one failed or something broke (one sentence says what, and where the
+trace is); 2 for wrong input, with one sentence; 130 if the run was stopped.
+"""
+
+
 def type_words(hint):
     """Return the type of a field in words."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
@@ -255,7 +298,7 @@ def page():
     for title, text in EXAMPLES:
         job_from_json(text)
         lines += [title + ":", "", "```json", text.rstrip(), "```", ""]
-    return "\n".join(lines)
+    return "\n".join([*lines, RESULTS])
 
 
 def main():

@@ -6,6 +6,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -86,6 +87,13 @@ def test_the_figures_that_a_script_looks_for_are_there():
     assert CASE6["ok"] is True
     assert {"envelope", "channels", "scaffold", "loose"} <= set(CASE6["volume_mm3"])
     assert {"couplings", "recoveries", "versions", "files", "seconds"} <= set(CASE6)
+
+
+def test_every_key_is_on_the_page_of_the_job_file():
+    page = (Path(__file__).resolve().parents[2] / "docs" / "job.md").read_text(encoding="utf-8")
+    section = page[page.index("## What the command writes") :]
+    missing = [key for key in (*CASE6, *CASE6["volume_mm3"]) if f"`{key}`" not in section]
+    assert missing == ["schema"]
 
 
 def test_porosity_is_the_share_of_the_envelope_that_is_not_exported():
