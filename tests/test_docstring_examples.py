@@ -14,7 +14,7 @@ PLAIN = [
     *("freecad_trabecula.core." + p.stem for p in ROOT.glob("freecad_trabecula/core/*.py")),
 ]
 #: Those of the command line that need no FreeCAD.
-PLAIN += ["freecad_trabecula.shell." + name for name in ("arguments", "launch")]
+PLAIN += ["freecad_trabecula.shell." + name for name in ("arguments", "folder", "launch")]
 
 
 def has_examples(name):
