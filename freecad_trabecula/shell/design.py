@@ -173,7 +173,7 @@ def make_job(document: FreeCAD.Document, job: Job, watch: Stopwatch) -> Made:
     watch.lap("scaffold")
     solid = None
     if job.scaffold.engine == "brep":
-        solid = make.make_solid_scaffold(scaffold, part(progress, 0.6, 0.85))
+        solid = make.make_solid_scaffold(objects.wireframe, job.scaffold, part(progress, 0.6, 0.85))
         watch.lap("scaffold as a solid")
     objects = objects._replace(scaffold=scaffold, solid_scaffold=solid)
     return Made(document, objects, make.wireframe_of(objects.wireframe), make.bodies_of(scaffold))
