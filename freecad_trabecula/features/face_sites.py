@@ -27,6 +27,15 @@ def sites_on(face: Part.Face, envelope: str, parameters: FaceParameters, progres
     )
 
 
+def lost(obj: Any, face: str) -> EnvelopeError:
+    """Return the error of sites whose face is no more."""
+    owner = obj.Face[0]
+    return EnvelopeError(
+        f"the sites {obj.Label} lost their face {face}: {owner.Label} has Face1..Face{len(owner.Shape.Faces)}; "
+        "choose another face"
+    )
+
+
 class FaceSites(Feature):
     """The sites of one face of any solid."""
 
@@ -42,6 +51,9 @@ class FaceSites(Feature):
         names = obj.Face[1] if obj.Face else ()
         if len(names) != 1:
             raise EnvelopeError(f"{obj.Label} must be linked to 1 face, got {len(names)}")
+        # FreeCAD 1.x marks a face that it cannot find any more
+        if names[0].startswith("?"):
+            raise lost(obj, names[0][1:])
         return read_parameters(obj, FaceParameters, face=names[0])
 
     def faces(self, obj: Any, progress: Progress = silent) -> Dict[str, SitedFace]:
@@ -57,7 +69,7 @@ class FaceSites(Feature):
         try:
             face = body.envelope.face(parameters.face)
         except EnvelopeError as error:
-            raise EnvelopeError(f"{obj.Label} lost its face of {owner.Label}, choose another: {error}") from error
+            raise lost(obj, parameters.face) from error
         return {parameters.label: SitedFace(sites_on(face, body.mark, parameters, progress), face)}
 
     def envelope(self, obj: Any) -> Any:

@@ -134,7 +134,7 @@ def build(
     some = core.without(wireframe, np.array(missing, int))
     for k, solid in zip(missing, rod_solids(some, parameters, progress)):
         solids[k], volumes[k] = solid, solid.Volume
-    mesh_volumes = rod_volumes(core.skin(wireframe, replace(parameters, deflection=0.0)))  # 0: fine for the pores' size
+    mesh_volumes = true_volumes(wireframe.paths, wireframe.ends)
     return Rods(tuple(keys), wireframe.names, Part.makeCompound(solids), volumes, mesh_volumes)
 
 

@@ -4,6 +4,8 @@
 import sys
 from pathlib import Path
 
+import FreeCAD
+
 sys.path.append(str(Path(__file__).resolve().parent))
 from document_case import DocumentCase
 
@@ -38,21 +40,26 @@ class FaceSitesTest(DocumentCase):
         make.update(sites)
         self.assertEqual(sites.Count, count)
 
-    def test_a_face_that_vanishes_with_an_edit_of_the_envelope_is_named_and_nothing_is_lost(self):
-        box = make.make_box(self.document)
-        cut = self.document.addObject("Part::Chamfer", "Cut")
-        cut.Base, cut.Edges = box, [(1, 2.0, 2.0)]
+    def test_a_face_that_vanishes_with_an_edit_of_the_envelope_is_named_and_comes_back(self):
+        box, tool = make.make_box(self.document), make.make_box(self.document, 4, 4, 4, "Tool")
+        pit = FreeCAD.Vector(3, 3, 8)
+        tool.Placement.Base = pit
+        cut = self.document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = box, tool
         self.document.recompute()
-        self.assertEqual(len(cut.Shape.Faces), 7)
-        sites = make.make_face_sites(cut, FaceParameters("Face7", "lid"))
-        count, shown = sites.Count, len(sites.Shape.Vertexes)
-        cut.Edges = []
-        cut.Shape = box.Shape
-        sites.touch()
-        sites.recompute()
+        self.assertEqual(len(cut.Shape.Faces), 11)
+        faces = cut.Shape.Faces
+        floor = next(k + 1 for k, f in enumerate(faces) if (f.CenterOfMass - FreeCAD.Vector(5, 5, 8)).Length < 1e-6)
+        sites = make.make_face_sites(cut, FaceParameters(f"Face{floor}", "floor", c_u=1, c_v=1))
+        self.assertEqual(sites.Count, 9)
+        tool.Placement.Base.x = 30
+        self.document.recompute()
         self.assertFalse(sites.isValid())
-        self.assertRegex(sites.Status, "Sites lid lost its face of Cut, .* one of Face1..Face6.*got 'Face7'")
-        self.assertEqual((sites.Count, len(sites.Shape.Vertexes)), (count, shown))
+        self.assertRegex(sites.Status, f"sites Sites floor lost their face Face{floor}: Cut has Face1..Face6; choose")
+        self.assertEqual((sites.Count, len(sites.Shape.Vertexes)), (9, 9))
+        tool.Placement.Base = pit
+        self.document.recompute()
+        self.assertEqual((sites.State, sites.Count), (["Up-to-date"], 9))
 
     def test_sites_need_one_face(self):
         box = make.make_box(self.document)
