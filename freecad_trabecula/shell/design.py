@@ -7,7 +7,6 @@ import importlib.metadata
 import platform
 import time
 from dataclasses import replace
-from pathlib import Path
 from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Tuple
 
 import FreeCAD
@@ -16,22 +15,20 @@ import numpy as np
 from .. import make
 from ..core.bodies import Bodies, Check
 from ..core.job import Job, job_to_json
-from ..core.meshes import Mesh, edge_faults, mesh_volume
 from ..core.presets import PRESETS, THESIS
 from ..core.progress import part
 from ..core.report import NETWORK_STEPS, Outcome, body_figures, report_json, report_record
 from ..core.report_text import report_markdown, report_summary
-from ..core.stl import read_stl, whole_file
+from ..core.stl import whole_file
 from ..core.wireframe import Wireframe
 from ..errors import ExportError, ParameterError
-from ..geometry.files import write_document, write_mesh, write_shape
 from .folder import ResultFolder
 from .job_options import job_of_options
+from .products import products, stl_checks, write_products
 
 Report = Callable[..., None]
 
 REPORT, PAGE = "report.json", "report.md"
-_STL_TOLERANCE = 1e-6  # of the envelope: what single precision may change
 _ROD_TOLERANCE = 2e-3  # of the rods' volume, solids against meshes: tessellation
 
 
@@ -126,8 +123,13 @@ def write_design(job: Job, folder: ResultFolder, also: List[str], watch: Stopwat
     document = FreeCAD.newDocument(_document_name(job))
     try:
         made = make_job(document, job, watch)
-        files, checks = write_results(made, folder, also, watch)
-        checks = (*design_checks(made), *checks)
+        meshes = {"scaffold": made.bodies.scaffold, "channels": made.bodies.channels}
+        files = write_products(products(meshes, made.objects, also), folder, part(watch.progress, 0.85, 0.95))
+        watch.lap("files")
+        watch.progress(0.95, 1.0, "reading the meshes again")
+        again = [check for n, m in meshes.items() for check in stl_checks(folder.path(f"{n}.stl"), m, made.bodies)]
+        checks = (*design_checks(made), *again)
+        watch.lap("check of the files")
         told = warnings(made)
     finally:
         FreeCAD.closeDocument(document.Name)
@@ -215,51 +217,6 @@ def versions() -> Dict[str, str]:
         except importlib.metadata.PackageNotFoundError:
             continue
     return found
-
-
-# --------------------------------------------------------------------------------------------------------- the files
-
-
-def write_results(
-    made: Made, folder: ResultFolder, also: List[str], watch: Stopwatch
-) -> Tuple[List[str], Tuple[Check, ...]]:
-    """Write a design's files and read the meshes again; return the files' names and the checks."""
-    objects, bodies = made.objects, made.bodies
-    meshes = {"scaffold": bodies.scaffold, "channels": bodies.channels}
-    work: List[Tuple[str, Callable[[Path], None]]] = []
-    for kind in ("stl", *also):
-        if kind == "brep":
-            work.append(("network.brep", lambda path: write_shape(path, objects.network.Shape)))
-        else:
-            work += [(f"{name}.{kind}", lambda path, m=mesh: write_mesh(path, m)) for name, mesh in meshes.items()]
-    work.append(("network.step", lambda path: write_shape(path, objects.network.Shape)))
-    if objects.solid_scaffold:
-        work.append(("scaffold.step", lambda path: write_shape(path, objects.solid_scaffold.Shape)))
-    work.append(("design.FCStd", lambda path: write_document(path, made.document)))
-    names = []
-    for done, (name, write) in enumerate(work):
-        watch.progress(0.85 + 0.1 * done / len(work), 1.0, f"writing {name}")
-        if name not in names:
-            write(folder.path(name))
-            names.append(name)
-    watch.lap("files")
-    watch.progress(0.95, 1.0, "reading the meshes again")
-    checks = [check for name, mesh in meshes.items() for check in stl_checks(folder.path(f"{name}.stl"), mesh, bodies)]
-    watch.lap("check of the files")
-    return names, tuple(checks)
-
-
-def stl_checks(path: Path, mesh: Mesh, bodies: Bodies) -> Tuple[Check, ...]:
-    """Return whether the STL file of a mesh, read again, is closed and has its volume."""
-    found = read_stl(path)
-    faults, volume, again = sum(edge_faults(found)), mesh_volume(mesh), mesh_volume(found)
-    return (
-        Check(f"faulty edges and triangles in {path.name}, read again", faults, 0, faults, 0),
-        Check(
-            f"volume of {path.name}, read again, mm3", volume, again, abs(volume - again) / bodies.body_volume,
-            _STL_TOLERANCE,
-        ),
-    )  # fmt: skip
 
 
 def _warn_of_old_files(folder: ResultFolder, record: Mapping[str, Any], report: Report) -> None:
