@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import replace
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import FreeCAD
@@ -14,7 +13,7 @@ import Part
 from ..core import wireframe as core
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
-from ..core.rods import rod_volumes
+from ..core.rods import true_volumes
 from ..errors import KernelError, ParameterError
 from ..geometry.rod_solids import rod_solids
 from .feature import is_a, result
