@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Tuple
 
 import numpy as np
 
-_FINE = 129  # points a piece for arc length by the midpoint rule: stations are within 1e-4 of the length
+_FINE = 128  # steps a piece for arc length by the midpoint rule: stations are within 1e-4 of the length
+_KNOTS = np.linspace(0, 2, 2 * _FINE + 1)
 
 
 def straight_paths(p0: np.ndarray, p1: np.ndarray) -> np.ndarray:
@@ -59,13 +61,13 @@ def tension_paths(
 
 @dataclass(frozen=True)
 class Stations:
-    """K equidistant stations on R paths.
+    """K stations on R paths.
 
     Attributes
     ----------
     centres, tangents, curvatures : ndarray (R, K, 3)
         Points in mm, unit tangents, curvature vectors in 1/mm.
-    shares : ndarray (K,)
+    shares : ndarray (R, K)
         Share 0..1 of the arc length.
     lengths : ndarray (R,), mm
     """
@@ -77,27 +79,57 @@ class Stations:
     lengths: np.ndarray
 
 
-def stations(paths: np.ndarray, count: int) -> Stations:
-    """Return ``count`` stations at equal arc length on paths (R, 2, 4, 3)."""
+def stations(paths: np.ndarray, count: int, to_bends: bool = False) -> Stations:
+    """Return ``count`` stations on paths (R, 2, 4, 3): at equal arc length, or closer together where a path bends.
+
+    Chords between stations that are h apart miss a path of curvature k by k h^2 / 8, so that with ``to_bends`` their
+    density goes with the root of the curvature, beside an even share.
+    """
     rods = len(paths)
-    shares = np.linspace(0, 1, count)
+    even = np.linspace(0, 1, count)
     if rods == 0:
         empty = np.zeros((0, count, 3))
-        return Stations(empty, empty, empty, shares, np.zeros(0))
-    fine = np.linspace(0, 2, 2 * _FINE - 1)
-    # the parameter's speed jumps where the pieces meet: it is taken in the middle of each step
-    speed = np.linalg.norm(_evaluate(paths, np.tile((fine[1:] + fine[:-1]) / 2, (rods, 1)), 1), axis=2)
-    length = np.concatenate([np.zeros((rods, 1)), np.cumsum(speed * fine[1], axis=1)], 1)
-    total = length[:, -1]
+        return Stations(empty, empty, empty, np.zeros((0, count)), np.zeros(0))
+    length, bend = _fine_lengths(paths)
+    total = length.sum(1)
+    weight = length / total[:, None] + bend / np.sqrt(total)[:, None] if to_bends else length
     shift = 2.0 * np.arange(rods)[:, None]  # one np.interp for all rods: each has its own stretch of the number line
-    where = np.interp((shares + shift).ravel(), (length / total[:, None] + shift).ravel(), np.tile(fine, rods))
-    where = where.reshape(rods, count)
-    where[:, 0], where[:, -1] = 0.0, 2.0
+    at_fine, length_at = _running(weight) + shift, _running(length)
+    where = np.interp((even + shift).ravel(), at_fine.ravel(), np.tile(_KNOTS, rods)).reshape(rods, count)
+    shares = np.interp((even + shift).ravel(), at_fine.ravel(), length_at.ravel()).reshape(rods, count)
+    where[:, 0], where[:, -1], shares[:, 0], shares[:, -1] = 0.0, 2.0, 0.0, 1.0
     velocity, acceleration = _evaluate(paths, where, 1), _evaluate(paths, where, 2)
     pace = np.linalg.norm(velocity, axis=2, keepdims=True).clip(1e-12)
     tangent = velocity / pace
     along = (acceleration * tangent).sum(2, keepdims=True)
     return Stations(_evaluate(paths, where, 0), tangent, (acceleration - along * tangent) / pace**2, shares, total)
+
+
+def path_bends(paths: np.ndarray) -> np.ndarray:
+    """Return the integrals (R,) of the root of the curvature along paths (R, 2, 4, 3), mm^0.5.
+
+    Divided by the root of 8 d, this is how many chords keep within d of the path.
+    """
+    return _fine_lengths(paths)[1].sum(1) if len(paths) else np.zeros(0)
+
+
+def _fine_lengths(paths: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Arc lengths (R, F) of fine steps, and these times the root of the curvature.
+
+    The parameter's speed jumps where the pieces meet: it is taken in the middle of each step.
+    """
+    middles = np.tile((_KNOTS[1:] + _KNOTS[:-1]) / 2, (len(paths), 1))
+    velocity, acceleration = _evaluate(paths, middles, 1), _evaluate(paths, middles, 2)
+    speed = np.linalg.norm(velocity, axis=2)
+    curvature = np.linalg.norm(np.cross(velocity, acceleration), axis=2) / np.maximum(speed, 1e-12) ** 3
+    length = speed * _KNOTS[1]
+    return length, length * np.sqrt(curvature)
+
+
+def _running(steps: np.ndarray) -> np.ndarray:
+    """Running sums (R, F + 1) from 0 to 1 of steps (R, F)."""
+    sums = np.concatenate([np.zeros((len(steps), 1)), np.cumsum(steps, axis=1)], 1)
+    return sums / sums[:, -1:]
 
 
 def _evaluate(paths: np.ndarray, where: np.ndarray, derivative: int) -> np.ndarray:

@@ -4,8 +4,8 @@
 The thesis first redraws tangents. Measured, that never mends a flat rod, nor one whose section planes cross (0 of 79),
 so what is tried first follows from the fault: tangents for a section that crosses itself, the middle point where it is
 random for the others, then the two-point path along the inner normals with tension 0.1, 0.2, ... mm (thesis 4.2.4), and
-last the same with the inner sections leaning towards the path's normal planes, which unfolds rods between near sites on
-faces at an angle.
+last the same path with its section planes carried along it instead of turned from end to end, which serves paths that
+turn back or sideways (rods between near sites of one side, or far ones of a thin plate).
 """
 
 from __future__ import annotations
@@ -18,18 +18,21 @@ import numpy as np
 from .laws import Region
 from .paths import tension_paths
 from .pores import Pores, draw_pores, mirrored
-from .rods import RodEnds, Rods, build_rods, rod_faults
+from .rods import CARRIED, RodEnds, Rods, build_rods, rod_faults, sharpest_bends
 from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, draw_paths, without
 
 FAULTS = ("loop", "flat", "crossing", "outside")
 REMEDIES: Dict[str, Tuple[str, ...]] = {
-    "loop": ("tangents", "middle", "tension", "lean"),
-    "flat": ("middle", "tension", "lean"),
-    "crossing": ("middle", "tangents", "tension", "lean"),
-    "outside": ("middle", "tension", "lean"),
+    "loop": ("tangents", "middle", "tension", "carry"),
+    "flat": ("middle", "tension", "carry"),
+    "crossing": ("middle", "tangents", "tension", "carry"),
+    "outside": ("middle", "tension", "carry"),
 }
 TENSION_STEP = 0.1  # mm, thesis 4.2.4
-FULL_LEAN = 10.0  # of the last remedy: all sections but those at the very ends are normal to the path
+#: Stations of the check of two-point paths: a small tension turns a path within less than its width from the end,
+#: unseen between stations farther apart.
+_CLOSE_STATIONS = 65
+_SHARP = 0.7  # of a two-point path's bend: 1 folds, and a channel near it is a kink that nothing flows through
 _BLOCK = 8  # attempts worked out at once
 _FAULTY = 10**9  # more than any number of points outside
 _STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fold there is
@@ -92,6 +95,14 @@ def outside_counts(rods: Rods, wireframe: Wireframe, contains: Contains) -> np.n
     return counts.sum(1)
 
 
+def _is_faulty(wireframe: Wireframe, close: bool) -> np.ndarray:
+    if not close:
+        rods = build_rods(wireframe.paths, wireframe.ends, _STATIONS, _POINTS)
+        return np.any(list(rod_faults(rods).values()), 0)
+    rods = build_rods(wireframe.paths, wireframe.ends, _CLOSE_STATIONS, _POINTS, to_bends=True)
+    return np.any(list(rod_faults(rods).values()), 0) | (sharpest_bends(rods) > _SHARP)
+
+
 class _Work:
     """The wireframe under repair."""
 
@@ -114,8 +125,9 @@ class _Work:
         """Try the remedies for one fault on rods ``group`` (indices), all at once; return one Recovery a rod."""
         rods = group.tolist()
         attempts, remedy = dict.fromkeys(rods, 0), dict.fromkeys(rods, "none")
-        best = dict(zip(rods, self._badness(without(self.wireframe, group)).tolist()))
+        best = dict(zip(rods, self._badness(without(self.wireframe, group), False).tolist()))
         for name in REMEDIES[fault]:
+            close = name in ("tension", "carry")
             for first in range(1, self._steps(name, rods) + 1, _BLOCK):
                 steps = range(first, first + _BLOCK)
                 left = [(k, step) for k in rods if best[k] > 0 for step in steps if self._applies(name, k, step)]
@@ -123,7 +135,7 @@ class _Work:
                     break
                 which, at_step = np.array(left, int).T
                 trial = self._apply(name, which, at_step)
-                for at, (k, badness) in enumerate(zip(which.tolist(), self._badness(trial).tolist())):
+                for at, (k, badness) in enumerate(zip(which.tolist(), self._badness(trial, close).tolist())):
                     attempts[k] += best[k] > 0  # those of the block that come after the first success do not count
                     if badness < best[k]:
                         best[k], remedy[k] = badness, name
@@ -132,7 +144,7 @@ class _Work:
         return [Recovery(names[k], fault, remedy[k], attempts[k]) for k in rods]
 
     def _steps(self, remedy: str, rods: List[int]) -> int:
-        if remedy not in ("tension", "lean"):
+        if remedy not in ("tension", "carry"):
             return self.parameters.rods.redraws
         return int(np.ceil(self._most_tension[rods].max() / TENSION_STEP))
 
@@ -144,11 +156,14 @@ class _Work:
             return self.parameters.pores.layout == "spline"
         return path.kind not in ("orthogonal", "straight") and step * TENSION_STEP <= self._most_tension[rod]
 
-    def _badness(self, trial: Wireframe) -> np.ndarray:
+    def _badness(self, trial: Wireframe, close: bool) -> np.ndarray:
         """Return 0 for a sound rod; else the points outside, or a large number for a fault of the rod itself."""
-        rods = build_rods(trial.paths, trial.ends, _STATIONS, _POINTS)
-        badness = np.where(np.any(list(rod_faults(rods).values()), 0), _FAULTY, 0)
+        badness = np.where(_is_faulty(trial, False), _FAULTY, 0)
         sound = np.nonzero(badness == 0)[0]
+        if close and len(sound):
+            sharp = _is_faulty(without(trial, sound), True)
+            badness[sound[sharp]] = _FAULTY
+            sound = sound[~sharp]
         if self.contains is not None and len(sound):
             some = without(trial, sound)
             badness[sound] = outside_counts(build_rods(some.paths, some.ends, _STATIONS, _POINTS), some, self.contains)
@@ -158,8 +173,8 @@ class _Work:
         part = without(self.wireframe, which)
         ends = part.ends
         p0, p1 = part.paths[:, 0, 0], part.paths[:, 1, 3]
-        if remedy in ("tension", "lean"):
-            leaning = np.full(len(which), FULL_LEAN) if remedy == "lean" else ends.leans
+        if remedy in ("tension", "carry"):
+            leaning = np.full(len(which), CARRIED) if remedy == "carry" else ends.leans
             tension = steps * TENSION_STEP
             paths = tension_paths(p0, ends.frames[:, 0, 2], p1, ends.frames[:, 1, 2], tension, tension)
             return replace(part, paths=paths, ends=replace(ends, leans=leaning))

@@ -12,7 +12,7 @@ import numpy as np
 from .couplings import CouplingRow
 from .laws import Region
 from .parameters import Coupling, PathParameters, PoreParameters, RodParameters, SiteEdit, check_seed
-from .paths import middle_paths, straight_paths, tension_paths
+from .paths import middle_paths, path_bends, straight_paths, tension_paths
 from .pores import Pores
 from .rods import RodEnds, Rods, build_rods, default_deflection, tessellation
 from .sites import Sites
@@ -98,18 +98,13 @@ class Wireframe:
         flat = np.concatenate([a.reshape(len(self), -1) for a in arrays], 1) if len(self) else np.zeros((0, 1))
         return [hashlib.blake2b(np.ascontiguousarray(row).tobytes(), digest_size=12).hexdigest() for row in flat]
 
-    def curved(self) -> bool:
-        """Return whether any path bends."""
-        chord = self.paths[:, 1, 3] - self.paths[:, 0, 0]
-        inner = self.paths[:, 0, 3] - self.paths[:, 0, 0]
-        return bool(len(self) and np.abs(np.cross(chord, inner)).max() > 1e-9)
-
 
 def skin(wireframe: Wireframe, parameters: RodParameters, stations: int = 0) -> Rods:
-    """Return the rods of a wireframe; ``stations`` > 0 overrides the number that the deflection asks for."""
+    """Return the rods of a wireframe, stations where paths bend; ``stations`` > 0 asks for so many, evenly spaced."""
     size = wireframe.mean_size
-    count, points = tessellation(size, parameters.deflection or default_deflection(size), wireframe.curved())
-    return build_rods(wireframe.paths, wireframe.ends, stations or count, points)
+    bend = float(path_bends(wireframe.paths).max(initial=0.0))
+    count, points = tessellation(size, parameters.deflection or default_deflection(size), bend)
+    return build_rods(wireframe.paths, wireframe.ends, stations or count, points, to_bends=not stations)
 
 
 def end_frames(a: Sites, first: np.ndarray, b: Sites, second: np.ndarray) -> np.ndarray:

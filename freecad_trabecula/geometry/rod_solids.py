@@ -3,21 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Iterator
+from typing import Iterator, List, Tuple
 
 import numpy as np
 import Part
 
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
-from ..core.rods import Rods, rod_volumes
-from ..core.wireframe import Wireframe, skin
+from ..core.rods import build_rods, true_volumes
+from ..core.wireframe import Wireframe
 from ..errors import KernelError
 from .vectors import vectors
 
 VOLUME_TOLERANCE = 1e-3  # relative, of a solid's volume against that of its triangles
-_FINE = 65  # stations of the mesh that is the measure
-_MORE_STATIONS = (9, 17)  # tried where the first number gives another volume
+_RING = 16  # points of its rings; they have the exact area of the sections
+_MORE_STATIONS = (9, 17, 33, 65)  # tried where the first number gives another volume
 
 
 def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progress = silent) -> Iterator[Part.Shape]:
@@ -37,12 +37,12 @@ def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progre
     """
     if not len(wireframe):
         return
-    fine = rod_volumes(skin(wireframe, parameters, _FINE))
-    poles = [_surface_poles(skin(wireframe, parameters, n)) for n in (parameters.stations, *_MORE_STATIONS)]
+    fine = true_volumes(wireframe.paths, wireframe.ends)
+    surfaces = [_surfaces(wireframe, n) for n in (parameters.stations, *_MORE_STATIONS)]
     for k, name in enumerate(wireframe.names):
         progress(k, len(wireframe), "solids of rods")
-        for some in poles:
-            solid = _solid(some[k], name)
+        for poles, knots in surfaces:
+            solid = _solid(poles[k], knots[k].tolist(), name)
             if abs(solid.Volume / fine[k] - 1) <= VOLUME_TOLERANCE:
                 break
         else:
@@ -53,22 +53,34 @@ def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progre
         yield solid
 
 
-def _surface_poles(rods: Rods) -> np.ndarray:
-    """B-spline poles (R, 2K, M, 4, 3) of the strips: natural cubic splines along the rods."""
-    flat = np.einsum("rkmpc,rkcx->rkmpx", rods.poles, rods.frames[:, :, :2])
-    p = rods.stations.centres[:, :, None, None] + flat
-    k = p.shape[1]
-    system = np.diag(np.r_[2.0, np.full(k - 2, 4.0), 2.0]) + np.diag(np.ones(k - 1), 1) + np.diag(np.ones(k - 1), -1)
-    slopes = 3 * np.concatenate([p[:, 1:2] - p[:, :1], p[:, 2:] - p[:, :-2], p[:, -1:] - p[:, -2:-1]], 1)
-    d = np.einsum("ij,rjmpx->rimpx", np.linalg.inv(system), slopes) / 3
-    rows = np.stack([p - d, p + d], 2).reshape(p.shape[0], 2 * k, *p.shape[2:])
-    rows[:, 0], rows[:, -1] = p[:, 0], p[:, -1]
-    return rows
+def _surfaces(wireframe: Wireframe, stations: int) -> Tuple[np.ndarray, np.ndarray]:
+    """B-spline poles (R, 2K - 2 + 2, M, 4, 3) of the strips and their knots (R, K) along the rods.
+
+    Natural cubic splines through the poles of the sections, over the share of the arc length.
+    """
+    rods = build_rods(wireframe.paths, wireframe.ends, stations, _RING, to_bends=True)
+    p = rods.stations.centres[:, :, None, None] + np.einsum("rkmpc,rkcx->rkmpx", rods.poles, rods.frames[:, :, :2])
+    knots = rods.stations.shares
+    h = np.diff(knots, axis=1)
+    slopes = np.diff(p, axis=1) / h[:, :, None, None, None]
+    system, right = np.zeros((len(p), stations, stations)), np.zeros_like(p)
+    at, wide = np.arange(stations), lambda a: a[:, :, None, None, None]
+    system[:, at, at] = 2.0 * (np.pad(h, ((0, 0), (1, 0))) + np.pad(h, ((0, 0), (0, 1))))
+    system[:, at[1:-1], at[:-2]], system[:, at[1:-1], at[2:]] = h[:, 1:], h[:, :-1]
+    system[:, 0, 1], system[:, -1, -2] = h[:, 0], h[:, -1]
+    right[:, 1:-1] = 3 * (wide(h[:, 1:]) * slopes[:, :-1] + wide(h[:, :-1]) * slopes[:, 1:])
+    right[:, 0], right[:, -1] = (
+        3 * (h[:, 0, None, None, None] * slopes[:, 0]),
+        3 * (h[:, -1, None, None, None] * slopes[:, -1]),
+    )
+    d = np.linalg.solve(system, right.reshape(len(p), stations, -1)).reshape(p.shape)
+    after, before = p[:, :-1] + d[:, :-1] * wide(h) / 3, p[:, 1:] - d[:, 1:] * wide(h) / 3
+    inner = np.stack([after, before], 2).reshape(len(p), -1, *p.shape[2:])
+    return np.concatenate([p[:, :1], inner, p[:, -1:]], 1), knots
 
 
-def _solid(rows: np.ndarray, name: str) -> Part.Shape:
-    count = len(rows) // 2
-    knots, multiplicities = [float(i) for i in range(count)], [4] + [2] * (count - 2) + [4]
+def _solid(rows: np.ndarray, knots: List[float], name: str) -> Part.Shape:
+    multiplicities = [4] + [2] * (len(knots) - 2) + [4]
     faces, wires = [], ([], [])
     for strip in range(rows.shape[1]):
         surface = Part.BSplineSurface()

@@ -77,7 +77,7 @@ def test_each_rod_takes_one_of_several_convergence_points():
     job = preset("case5")
     made = wireframe(dataclasses.replace(job, path=PathParameters("centre", points=points)))
     counts = [int(np.isclose(made.paths[:, 0, 3], p).all(1).sum()) for p in points]
-    on_normals = sum(x.remedy in ("tension", "lean") for x in made.recoveries)
+    on_normals = sum(x.remedy in ("tension", "carry") for x in made.recoveries)
     assert sum(counts) == 147 - on_normals and min(counts) > 45
     made = wireframe(dataclasses.replace(job, path=PathParameters("centre", points=points, choice="nearest")))
     half_way = (made.paths[:, 0, 0] + made.paths[:, 1, 3]) / 2

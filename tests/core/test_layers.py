@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from freecad_trabecula.core.booleans import combine, cut_bodies, manifold_available
-from freecad_trabecula.core.layers import Patch, border_edges, layered_body, reaches, thicken, welded_patch
+from freecad_trabecula.core.layers import Patch, border_edges, layered_body, reaches, thicken, unfolded, welded_patch
 from freecad_trabecula.core.meshes import Mesh, bounds, is_closed, mesh_volume
 from freecad_trabecula.core.parameters import Coupling, LayerParameters
+from freecad_trabecula.core.rays import union_volume
 from freecad_trabecula.errors import MeshError
 
 needs_manifold = pytest.mark.skipif(
@@ -109,6 +110,36 @@ def test_welding_leaves_out_triangles_without_area_at_a_pole():
     vertices = np.array([[0, 0, 1], [0, 0, 1], [1, 0, 0], [0, 1, 0]], float)
     patch = welded_patch(vertices, vertices, np.array([[0, 1, 2], [0, 2, 3]]))
     assert patch.triangles.shape == (1, 3)
+
+
+def bumpy(height, count=41, size=10.0):
+    """A square face at z = 0 with a sharp bump in its middle, and its normals."""
+    grid = np.linspace(-size / 2, size / 2, count)
+    x, y = (a.ravel() for a in np.meshgrid(grid, grid, indexing="ij"))
+    bump = height * np.exp(-(x**2 + y**2) / 0.5)
+    slopes = [bump * 4 * x, bump * 4 * y]
+    normals = np.column_stack([*slopes, np.ones_like(x)])
+    i = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
+    triangles = np.concatenate([np.stack([i, i + count, i + count + 1], 1), np.stack([i, i + count + 1, i + 1], 1)])
+    return Patch(np.column_stack([x, y, bump]), normals / np.linalg.norm(normals, axis=1)[:, None], triangles)
+
+
+def test_a_smooth_face_keeps_its_normals():
+    patch, changed = unfolded(Patch(*mantle(12, 5.0, 3.0, math.pi)), 1.0, 2.0)
+    assert changed == 0
+
+
+def test_a_bump_sharper_than_the_layer_is_thickened_along_smoothed_normals():
+    with pytest.raises(MeshError, match="triangles fold"):
+        thicken(bumpy(0.5), 1.0, 0.0)
+    patch, changed = unfolded(bumpy(0.5), 1.0, 0.0)
+    assert 0 < changed < 0.2 * len(patch.vertices)
+    plate = thicken(patch, 1.0, 0.0)
+    assert is_closed(plate)
+    low, high = bounds(plate)
+    rays = union_volume(plate.corners, low, high, 200)
+    assert mesh_volume(plate) == pytest.approx(rays.volume, abs=5 * rays.error)  # nowhere covered twice
+    assert mesh_volume(plate) == pytest.approx(100, rel=0.02)
 
 
 # ----------------------------------------------------------------------------------------------------- on a cube
@@ -226,6 +257,11 @@ def test_other_layers_prolong_nothing(layers):
 def test_a_layer_thicker_than_the_radius_of_its_face_is_refused():
     with pytest.raises(MeshError, match="thinner than the least radius .* at 6 mm 24 of 24 triangles fold"):
         thicken(Patch(*mantle(12, 5.0, 3.0, math.pi)), 6.0, 0.0)
+
+
+def test_a_layer_thicker_than_the_radius_of_a_closed_mantle_is_refused_after_smoothing():
+    with pytest.raises(MeshError, match="smoothing does not help"):
+        unfolded(welded_patch(*mantle(24, 5.0, 3.0)), 6.0, 0.0)
 
 
 @needs_manifold

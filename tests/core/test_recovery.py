@@ -101,5 +101,5 @@ def test_nothing_is_steered_where_nothing_leaves():
 
 @pytest.mark.parametrize("fault", sorted(REMEDIES))
 def test_the_last_remedies_are_always_the_path_along_the_normals(fault):
-    assert REMEDIES[fault][-2:] == ("tension", "lean")
+    assert REMEDIES[fault][-2:] == ("tension", "carry")
     assert fault == "loop" or REMEDIES[fault][0] != "tangents"

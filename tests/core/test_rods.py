@@ -151,13 +151,13 @@ def test_a_section_that_crosses_itself_is_found():
 
 @pytest.mark.parametrize("deflection", [0.05, 0.01, 0.002])
 def test_triangles_stay_within_the_deflection(deflection):
-    _, m = r.tessellation(0.5, deflection, False)
+    _, m = r.tessellation(0.5, deflection, 5.0)
     radius = 0.68 * 0.5
     assert radius * (1 - math.cos(math.pi / m)) <= deflection * 1.0001
 
 
 def test_finer_deflection_gives_more_triangles_within_bounds():
-    coarse, fine = r.tessellation(0.5, 0.05, True), r.tessellation(0.5, 1e-6, True)
+    coarse, fine = r.tessellation(0.5, 0.05, 5.0), r.tessellation(0.5, 1e-6, 5.0)
     assert coarse < fine <= (65, 64)
 
 
