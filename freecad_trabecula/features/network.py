@@ -14,7 +14,6 @@ from ..core import wireframe as core
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
 from ..core.rods import true_volumes
-from ..core.rods import true_volumes
 from ..errors import KernelError, ParameterError
 from ..geometry.rod_solids import rod_solids
 from .feature import is_a, result
