@@ -136,7 +136,7 @@ class DesignForm:
         return Job(
             name=self._name,
             envelope="" if self._is_box() else IN_DOCUMENT,
-            prism=self.prism.value() if self._is_box() else None,
+            prism=self._prism(on_faces),
             faces=self.faces.value() if on_faces else (),
             pores=self.pores.value(),
             path=self.paths.value(),
@@ -146,6 +146,11 @@ class DesignForm:
             edits=self.edits.value(),
             seed=self.seed.value(),
         )
+
+    def _prism(self, on_faces: bool) -> Optional[PrismParameters]:
+        if not self._is_box():
+            return None
+        return self.prism.bare_value() if on_faces else self.prism.value()
 
     def set_job(self, job: Job) -> None:
         """Show a job; the envelope is set by ``set_envelopes``."""

@@ -7,7 +7,6 @@ from typing import Any, Optional, Sequence, Tuple
 
 import FreeCAD
 import FreeCADGui
-import Part
 from PySide import QtCore, QtGui
 
 from .. import make
@@ -17,9 +16,10 @@ from ..errors import TrabeculaError
 from . import panels
 from .build_bar import BuildBar
 from .building import MAKERS, Building, Listener, Target, Writing
-from .design_form import Callbacks, DesignForm, Envelope
+from .design_envelope import DesignEnvelope
+from .design_form import IN_DOCUMENT, Callbacks, DesignForm
 from .outcome import Outcome
-from .picking import FacePicker, is_solid
+from .picking import FacePicker
 from .preview import Preview
 from .preview_worker import Estimate, Outline, PreviewWorker, Request
 from .qt import Buttons, flags_of, icon, invoke_later, widen_dock
@@ -46,13 +46,15 @@ class DesignPanel:
     """
 
     def __init__(self, document: Any, job: Job, envelope: Any = None, wireframe: Any = None) -> None:
-        self.document, self.envelope, self.wireframe = document, envelope, wireframe
+        self.document, self.wireframe = document, wireframe
+        self.body = DesignEnvelope(
+            document, envelope, wireframe is not None, self._envelope_ready, self._envelope_refused
+        )
         self._open = True
         self._building: Optional[Building] = None
         self._wanted: Optional[Job] = None
         self._drawn: Optional[Job] = None
         self._seen = False
-        self._solid: Tuple[Any, Optional[Part.Shape]] = (None, None)
         self.picker, self._clear_view = FacePicker(self._picked), ClearView()
         self._origin_wanted = False
         self.fields = DesignForm(
@@ -71,10 +73,12 @@ class DesignPanel:
         self._pause.setInterval(DRAG_PAUSE)
         self._pause.timeout.connect(self._request)
         FreeCAD.addDocumentObserver(self)
-        self._offer_envelopes(fixed=wireframe is not None)
-        self.fields.set_job(job)
-        self._show_envelope()
-        self._request()
+        self.fields.set_envelopes(self.body.offered(), envelope.Name if envelope else "", self.body.is_fixed)
+        if envelope is None:
+            self.set_job(job)
+        else:
+            self.fields.set_job(job)
+            self.body.begin()
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
@@ -100,36 +104,58 @@ class DesignPanel:
 
     # ------------------------------------------------------------------------------------------------- the envelope
 
-    def _offer_envelopes(self, fixed: bool = False) -> None:
-        found = [Envelope("", translate("Trabecula", "new prism"), True)]
-        if not fixed:
-            objects = [obj for obj in self.document.Objects if is_solid(obj)]
-        else:
-            objects, found = [self.envelope], []
-        found += [Envelope(obj.Name, obj.Label, obj.TypeId == "Part::Box") for obj in objects]
-        self.fields.set_envelopes(found, self.envelope.Name if self.envelope else "", fixed)
+    @property
+    def envelope(self) -> Any:
+        """The object to be filled; None for a new prism."""
+        return self.body.obj
 
     def _take_envelope(self, name: str) -> None:
-        self.envelope = self.document.getObject(name) if name else None
-        self._show_envelope()
-        self._changed()
+        self.picker.stop()
+        self.outcome.show_busy(translate("Trabecula", "Checking the envelope …"))
+        with told():
+            self.body.choose(name)
 
-    def _show_envelope(self) -> None:
+    def _envelope_ready(self) -> None:
+        if not self._open:
+            return
+        self.fields.set_envelopes(self.body.offered(), self.envelope.Name if self.envelope else "", self.body.is_fixed)
+        if self.envelope is not None and self.envelope.TypeId == "Part::Box" and self.wireframe is None:
+            edges = (self.envelope.Length.Value, self.envelope.Width.Value, self.envelope.Height.Value)
+            self.fields.prism.set_edges(edges)
+        self.fields.prism.allow_edges(self.envelope is None or self.wireframe is not None)
         self._clear_view.apply(self.envelope, self._hidden())
         self._show_parts()
+        self._seen = False
+        self._changed()
+
+    def _envelope_refused(self, text: str) -> None:
+        if self._open:
+            self.outcome.show_error(text)
 
     def _hidden(self) -> Sequence[Any]:
         """What the preview stands for: the design's own objects."""
         return [self.wireframe, *self.wireframe.Sites, *products_of(self.wireframe)] if self.wireframe else []
 
-    def _envelope_solid(self) -> Optional[Part.Shape]:
-        """Return the envelope's own solid, copied for the other thread; None for a prism that is yet to be made."""
-        if self.envelope is None:
-            return None
-        shape = self.envelope.Shape
-        if self._solid[0] != shape.hashCode():
-            self._solid = shape.hashCode(), shape.copy()
-        return self._solid[1]
+    def _take_preset(self, name: str) -> None:
+        with told():
+            self.set_job(preset(name))
+
+    def set_job(self, job: Job) -> None:
+        """Show a job; if it has a file, that becomes the envelope.
+
+        Raises
+        ------
+        DependencyError
+            If the file cannot be read because FreeCAD's console program is not found.
+        """
+        self.fields.set_job(job)
+        if job.envelope and job.envelope != IN_DOCUMENT and not self.body.is_fixed:
+            self.outcome.show_busy(translate("Trabecula", "Reading the envelope …"))
+            self.body.load(job.envelope, job.solid)
+        elif job.prism is not None and not self.body.is_fixed:
+            self._take_envelope("")
+        else:
+            self.body.begin()
 
     # -------------------------------------------------------------------------------------------------- the preview
 
@@ -137,7 +163,7 @@ class DesignPanel:
         self._pause.start()
 
     def _request(self) -> None:
-        if not self._open:
+        if not self._open or not self.body.is_ready:
             return
         try:
             job = self.fields.job()
@@ -147,7 +173,7 @@ class DesignPanel:
         self._wanted = job
         self.fields.show_summaries(job)
         self.outcome.show_busy()
-        self.worker.request(Request(job, self._envelope_solid()))
+        self.worker.request(Request(job, self.body.solid(job)))
 
     def _show_outline(self, outline: Outline) -> None:
         if self._open:
@@ -162,7 +188,7 @@ class DesignPanel:
         """Turn the view of an empty document to the preview."""
         self._seen = True
         view = view_of(self.document)
-        if not self.document.Objects:
+        if len(self.document.Objects) <= 1:
             view.viewIsometric()
         # once the drawing is in the scene
         invoke_later(view.fitAll)
@@ -175,10 +201,6 @@ class DesignPanel:
         if self._open and hasattr(self, "preview"):
             self.preview.set_visible(box=self.envelope is None, **self.outcome.shown())
             self.preview.set_colouring(self.outcome.colouring.value())
-
-    def _take_preset(self, name: str) -> None:
-        self.fields.set_job(preset(name))
-        self._request()
 
     # ---------------------------------------------------------------------------------------------------- picking
 
@@ -230,7 +252,7 @@ class DesignPanel:
     def reject(self) -> bool:
         """Leave the document as it was."""
         self.cancel()
-        self._leave()
+        self._leave(is_kept=False)
         FreeCADGui.Control.closeDialog()
         return True
 
@@ -263,7 +285,7 @@ class DesignPanel:
         building = Building(
             self._target(), job, kinds, Listener(self.build_bar.show_progress, self._built, self._not_built)
         )
-        building.start(self._envelope_solid())
+        building.start(self.body.solid(job))
         self._building = building
         self._set_working(True)
 
@@ -297,7 +319,7 @@ class DesignPanel:
 
     # ----------------------------------------------------------------------------------------------------- the end
 
-    def _leave(self) -> None:
+    def _leave(self, is_kept: bool = True) -> None:
         if not self._open:
             return
         self._open = False
@@ -306,6 +328,7 @@ class DesignPanel:
         self.picker.stop()
         self.preview.close()
         self._clear_view.restore()
+        self.body.cancel(is_kept)
         FreeCAD.removeDocumentObserver(self)
 
 

@@ -42,7 +42,7 @@ class FacesSection(QtGui.QWidget):
         self.pick_button.setCheckable(True)
         self.pick_button.toggled.connect(pick_faces)
         self.origin_button = small_button(
-            "origin", translate("Trabecula", "Pick the origin on the chosen face"), lambda *_: pick_point(), "⌖"
+            "Trabecula_site", translate("Trabecula", "Pick the origin on the chosen face"), lambda *_: pick_point()
         )
         self.form = Form(FaceParameters, self._rows(), self._form_changed)
         self._lay_out()
@@ -51,10 +51,8 @@ class FacesSection(QtGui.QWidget):
     def _rows() -> tuple:
         return (
             ("name", translate("Trabecula", "Name"), 1.0),
-            ("c_u", translate("Trabecula", "Spacing u"), 0.25),
-            ("c_v", translate("Trabecula", "Spacing v"), 0.25),
-            ("b_u", translate("Trabecula", "Border u"), 0.1),
-            ("b_v", translate("Trabecula", "Border v"), 0.1),
+            ("c_u,c_v", translate("Trabecula", "Spacing u, v"), 0.25),
+            ("b_u,b_v", translate("Trabecula", "Border u, v"), 0.1),
             ("origin", translate("Trabecula", "Origin"), 0.5),
             ("d1", translate("Trabecula", "Direction u"), 0.1),
             ("d2", translate("Trabecula", "Direction v"), 0.1),

@@ -204,6 +204,14 @@ def row_widget() -> Any:
     return widget
 
 
+def _side_by_side(widgets: Sequence[Any]) -> Any:
+    row = row_widget()
+    for widget in widgets:
+        widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
+        row.layout().addWidget(widget)
+    return row
+
+
 def field_for(cls: type, name: str, changed: Changed, step: float = 0.1) -> Field:
     """Return the input field for a field of a parameter class.
 
@@ -244,6 +252,7 @@ class Form(QtGui.QWidget):
     cls : type
         The parameter class.
     rows : sequence of (field name, label, step)
+        Names joined by a comma stand side by side.
     changed : callable
         Called after every change by the user, not while values are being shown.
     """
@@ -257,12 +266,14 @@ class Form(QtGui.QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(4)
         grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-        for name, label, step in rows:
-            field = field_for(cls, name, self.report, step)
-            self.fields[name], self._labels[name] = field, QtGui.QLabel(label)
-            self._labels[name].setToolTip(field.widget.toolTip())
-            self._labels[name].setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter)
-            grid.addRow(self._labels[name], field.widget)
+        for names, label, step in rows:
+            made = {name: field_for(cls, name, self.report, step) for name in names.split(",")}
+            self.fields.update(made)
+            text, widgets = QtGui.QLabel(label), [field.widget for field in made.values()]
+            text.setToolTip(widgets[0].toolTip())
+            text.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter)
+            self._labels.update(dict.fromkeys(made, text))
+            grid.addRow(text, widgets[0] if len(widgets) == 1 else _side_by_side(widgets))
 
     def report(self) -> None:
         """Tell the owner of a change."""

@@ -61,11 +61,14 @@ class Outcome(QtGui.QWidget):
         """Return which parts of the preview are to be shown."""
         return {name: box.isChecked() for name, box in self.parts.items()}
 
-    def show_busy(self) -> None:
-        """Say that a preview is on its way."""
+    def show_busy(self, text: str = "") -> None:
+        """Say that a preview is on its way, or what else goes on before it."""
         self.message.hide()
+        if text:
+            self._outline = None
+            self.details.setText("")
         if self._outline is None:
-            self.headline.setText(f"<b>{translate('Trabecula', 'Preview …')}</b>")
+            self.headline.setText(f"<b>{text or translate('Trabecula', 'Preview …')}</b>")
 
     def show_outline(self, outline: Outline) -> None:
         """Show the number of rods; the porosity follows."""
@@ -83,6 +86,8 @@ class Outcome(QtGui.QWidget):
         self.headline.setText(f"<b>{rods}, {porosity}</b>")
         plain = translate("Trabecula", "sum of the rods {:.1f} %").format(100 * estimate.plain_sum)
         mended = mended_text(self._outline) if self._outline else ""
+        if not estimate.is_mended:
+            mended = translate("Trabecula", "faulty rods are being mended …")
         self.details.setText(f"{plain}, {mended}" if mended else plain)
         self._say("<br>".join(estimate.warnings), ORANGE)
 

@@ -14,7 +14,7 @@ from ..core.job import Job, job_from_json
 from ..core.presets import preset
 from ..errors import ExportError
 from ..features.jobs import job_of
-from .transactions import record, say, told, transaction
+from .transactions import say, told
 from .view_providers import products_of, type_of, wireframe_of
 
 translate = FreeCAD.Qt.translate
@@ -94,15 +94,7 @@ def open_job(document: Any, path: str) -> None:
     TrabeculaError
         If the file cannot be read, or is no job.
     """
-    job, envelope = read_job(path), None
-    if job.envelope:
-        with transaction(document, "Open job"):
-            record("import FreeCAD")
-            record("from freecad_trabecula import make")
-            call = f"make.make_envelope(document, {job.envelope!r}, {job.solid!r})"
-            record(f"document = FreeCAD.getDocument({document.Name!r}); envelope = {call}")
-            envelope = document.Objects[-1]
-    open_new(document, job, envelope)
+    open_new(document, read_job(path))
 
 
 def read_job(path: str) -> Job:

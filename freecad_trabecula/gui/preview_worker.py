@@ -10,7 +10,8 @@ from __future__ import annotations
 import threading
 import time
 import traceback
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple
 
 import FreeCAD
 import numpy as np
@@ -62,12 +63,13 @@ class Outline(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """Porosity of the rods' union and its error, the plain sum of the rods, shares of 1; and warnings."""
+    """Porosity of the rods' union and its error, the plain sum of the rods, shares of 1; warnings; whether it is final."""
 
     porosity: float
     error: float
     plain_sum: float
     warnings: Sequence[str]
+    is_mended: bool = True
 
 
 class PreviewWorker(QtCore.QObject):
@@ -81,57 +83,62 @@ class PreviewWorker(QtCore.QObject):
         super().__init__()
         self._condition = threading.Condition()
         self._waiting: Optional[Request] = None
-        self._closed = False
+        self._closed = self._busy = False
         self._patience = self._asked = 0.0
-        self._hurried, self._few = False, True
+        self._hurried = False
         self._prism: Tuple[Optional[PrismParameters], Optional[Part.Shape]] = (None, None)
-        self._thread = threading.Thread(target=self._run, name="trabecula-preview", daemon=True)
-        self._thread.start()
+        self._thread = ThreadPoolExecutor(1, "trabecula-preview")
 
     def request(self, request: Request) -> None:
         """Ask for a preview in place of all earlier ones."""
         now = time.monotonic()
         with self._condition:
-            self._hurried = self._few and now - self._asked < HURRY
+            self._hurried = now - self._asked < HURRY
             self._asked = now
             self._waiting = request
             self._condition.notify()
+            self._submit()
 
     def close(self) -> None:
         """End the thread; it sends nothing more."""
         with self._condition:
-            self._closed = True
+            self._closed, self._waiting = True, None
             self._condition.notify()
+        self._thread.shutdown(wait=False)
 
     # ------------------------------------------------------------------------------------------------- the thread
 
-    def _run(self) -> None:
-        while True:
-            with self._condition:
-                while self._waiting is None and not self._closed:
-                    self._condition.wait()
-                if self._closed:
-                    return
-                request, self._waiting = self._waiting, None
-            try:
-                self._serve(request)
-            except Cancelled:
-                continue
-            except TrabeculaError as error:
-                self._send(self.refused, str(error))
-            except (ArithmeticError, LookupError, MemoryError, RuntimeError, TypeError, ValueError) as error:
-                FreeCAD.Console.PrintLog(traceback.format_exc())
-                self._send(self.refused, f"the preview failed: {type(error).__name__}: {error}")
+    def _submit(self) -> None:
+        """Give the newest request to the thread, if it is free."""
+        if self._waiting is not None and not self._busy and not self._closed:
+            request, self._waiting, self._busy = self._waiting, None, True
+            self._thread.submit(self._serve, request).add_done_callback(self._served)
+
+    def _served(self, work: Future) -> None:
+        """Tell what went wrong, whatever it was, and go on."""
+        error = work.exception()
+        if isinstance(error, TrabeculaError) and not isinstance(error, Cancelled):
+            self._send(self.refused, str(error))
+        elif error is not None and not isinstance(error, Cancelled):
+            trace = traceback.format_exception(type(error), error, error.__traceback__)
+            FreeCAD.Console.PrintLog("".join(trace))
+            self._send(self.refused, f"the preview failed: {type(error).__name__}: {error}")
+        with self._condition:
+            self._busy = False
+            self._submit()
 
     def _serve(self, request: Request) -> None:
         self._patience = time.monotonic() + PATIENCE
         solid = request.solid if request.solid is not None else self._prism_solid(request.job.prism)
         inputs = job_inputs(request.job, solid, self._progress)
-        if self._hurried:
+        is_slow = request.solid is not None  # rods are then looked for outside the envelope, point by point
+        if (self._hurried or is_slow) and _most_rods(inputs) <= FEW:
             sites = edited(inputs.faces, inputs.parameters.edits)
             draft = draft_wireframe(inputs.parameters, sites, inputs.envelope.region, self._progress)
             self._draw(request, inputs, draft, False)
             self._rest()
+            if is_slow:
+                self._send(self.estimated, self._estimate(request, inputs, draft, ())._replace(is_mended=False))
         wireframe = made(inputs, self._progress)
         self._draw(request, inputs, wireframe, True)
         self._rest()
@@ -143,7 +150,6 @@ class PreviewWorker(QtCore.QObject):
         drawing = draw_wireframe(wireframe, inputs.envelope.low, inputs.envelope.high)
         counts = {label: int(one.on.sum()) for label, one in wireframe.sites.items()}
         outcome = (len(wireframe.recoveries), len(wireframe.failed), len(wireframe.outside))
-        self._few = len(wireframe) <= FEW
         job = request.job if final else None
         self._send(self.drawn, Outline(job, drawing, len(wireframe), wireframe.rows, counts, *outcome))
 
@@ -176,7 +182,7 @@ class PreviewWorker(QtCore.QObject):
 
     # ----------------------------------------------------------------------------------------------- the estimate
 
-    def _estimate(self, request: Request, inputs: Inputs, wireframe: Wireframe, warnings: List[str]) -> Estimate:
+    def _estimate(self, request: Request, inputs: Inputs, wireframe: Wireframe, warnings: Sequence[str]) -> Estimate:
         envelope = inputs.envelope
         if not len(wireframe):
             return Estimate(0.0, 0.0, 0.0, warnings)
@@ -192,3 +198,9 @@ class PreviewWorker(QtCore.QObject):
         inside = None if is_prism else envelope.mesh.corners
         union = union_volume(triangles, envelope.low, envelope.high, rays, axis, inside)
         return Estimate(union.volume / envelope.volume, union.error / envelope.volume, plain_sum, warnings)
+
+
+def _most_rods(inputs: Inputs) -> int:
+    """Return how many rods the couplings of a design can give at most."""
+    counts = {label: len(one.sites) for label, one in inputs.faces.items()}
+    return sum(min(counts.get(c.first, 0), counts.get(c.second, 0)) for c in inputs.parameters.couplings if c.on)

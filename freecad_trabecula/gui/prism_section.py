@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Dict
+from typing import Dict, Sequence
 
 import FreeCAD
 from PySide import QtCore, QtGui
@@ -56,6 +56,23 @@ class PrismSection(QtGui.QWidget):
         """Show or hide what belongs to the sites by Eq. 2.1."""
         for widget in self._site_widgets:
             widget.setVisible(visible)
+
+    def set_edges(self, edges: Sequence[float]) -> None:
+        """Show other edges (mm), of a box that is there."""
+        self._showing = True
+        for name, edge in zip("lwh", edges):
+            self.fields[name].set_value(edge)
+        self._showing = False
+
+    def allow_edges(self, allowed: bool) -> None:
+        """Let the edges be changed or not."""
+        for name in "lwh":
+            self.fields[name].widget.setEnabled(allowed)
+
+    def bare_value(self) -> PrismParameters:
+        """Return the edges alone, for sites that are set another way."""
+        edges = [self.fields[name].value() for name in "lwh"]
+        return PrismParameters(*edges, a_x=0.0, a_y=0.0, a_z=0.0)
 
     def value(self) -> PrismParameters:
         """Return the parameters.
