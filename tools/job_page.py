@@ -226,7 +226,7 @@ Keys of `report.json` (volumes mm3, sizes mm, times s, file sizes bytes):
 | `faces`, `couplings` | tables 4.1, 4.2 |
 | `pores` | sizes, estimated areas s^2, true areas, histogram of sizes |
 | `recoveries`, `failed_rods`, `outside_rods`, `warnings` | by the rods' names |
-| `seconds`, `seconds_by_step` | of all; of each step |
+| `seconds`, `seconds_by_step`, `cpu_seconds` | of all; of each step; processor time of all |
 | `seconds_of_network`, `seconds_per_rod` | of sites, paths, rods, as the thesis counts |
 | `manual_seconds`, `manual_seconds_per_rod` | estimated for manual design (thesis 2.3.3) |
 | `files`, `versions`, `thesis`, `job` | sizes; programs; the thesis' figures for a preset; the whole job |

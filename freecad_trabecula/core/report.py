@@ -82,6 +82,8 @@ class Outcome:
         All that must hold.
     seconds : dict
         Time of each step, in order; they add up to the whole.
+    cpu_seconds : float
+        Processor time of all steps together.
     files : dict
         Bytes of each file written.
     versions : dict
@@ -94,6 +96,7 @@ class Outcome:
     bodies: BodyFigures
     checks: Tuple[Check, ...] = ()
     seconds: Mapping[str, float] = field(default_factory=dict)
+    cpu_seconds: float = 0.0
     files: Mapping[str, int] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: Tuple[str, ...] = ()
@@ -162,6 +165,7 @@ def report_record(outcome: Outcome) -> Dict[str, Any]:
         "outside_rods": list(wireframe.outside),
         "warnings": [*bodies.notes, *outcome.warnings],
         **time_figures(job, wireframe, outcome.seconds),
+        "cpu_seconds": outcome.cpu_seconds,
         "files": dict(outcome.files),
         "thesis": thesis_figures(job),
         "versions": dict(outcome.versions),

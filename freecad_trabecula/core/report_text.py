@@ -219,4 +219,5 @@ def _recoveries(record: Mapping[str, Any]) -> str:
 
 def _times(record: Mapping[str, Any]) -> str:
     rows = [(step, f"{seconds:.2f}") for step, seconds in record["seconds_by_step"].items()]
-    return _table(("step", "s"), [*rows, ("all", f"{record['seconds']:.2f}")])
+    rows += [("all", f"{record['seconds']:.2f}"), ("all, processor time", f"{record['cpu_seconds']:.2f}")]
+    return _table(("step", "s"), rows)

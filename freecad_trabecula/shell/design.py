@@ -48,6 +48,7 @@ class Stopwatch:
         self.seconds: Dict[str, float] = {}
         self._report = report
         self._last = time.perf_counter()
+        self.cpu_start = time.process_time()
 
     def progress(self, done: float, total: float, what: str) -> None:
         """Report progress."""
@@ -142,6 +143,7 @@ def write_design(job: Job, folder: ResultFolder, also: List[str], watch: Stopwat
         figures,
         checks,
         watch.seconds,
+        time.process_time() - watch.cpu_start,
         {name: folder.path(name).stat().st_size for name in files},
         versions(),
         told,

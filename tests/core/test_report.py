@@ -63,6 +63,7 @@ def outcome_of(job, **more):
         BODIES,
         (GOOD,),
         seconds={"envelope, sites, paths": 0.5, "rods": 1.5, "scaffold": 4.0},
+        cpu_seconds=5.5,
         files={"scaffold.stl": 84, "network.step": 5_400_000},
         versions={"FreeCAD": "0.20.2"},
     )
@@ -225,6 +226,7 @@ def test_the_estimate_of_a_preset_is_the_thesis_own(name):
 
 def test_times_add_up():
     assert CASE6["seconds"] == 6.0
+    assert CASE6["cpu_seconds"] == 5.5
 
 
 def test_the_time_a_rod_is_that_of_the_network_as_in_the_thesis():
