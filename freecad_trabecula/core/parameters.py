@@ -231,7 +231,7 @@ class RodParameters:
     """How rods are skinned and mended (thesis 3.3.5, 4.2.4)."""
 
     deflection: float = _f(
-        0.0, "mm", "Greatest distance of the triangles from the true rod; 0 chooses 1/50 of the mean size"
+        0.0, "mm", "Greatest distance of the triangles from the true rod; 0 chooses 1/40 of the mean size"
     )
     stations: int = _f(5, "", "Sections through which the surface of a solid rod is laid", low=3, high=33)
     lean: float = _f(0.0, "", "Tilt of the inner sections towards the path's normal planes", low=0.0, high=1.0)

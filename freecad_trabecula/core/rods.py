@@ -196,7 +196,7 @@ def tessellation(mean_size: float, deflection: float, bend: float) -> Tuple[int,
 
 def default_deflection(mean_size: float) -> float:
     """Return the default deflection, mm: 1/50 of the mean pore size (0.01 mm for 0.2 to 0.8 mm pores)."""
-    return mean_size / 50
+    return mean_size / 40
 
 
 def rod_mesh(rods: Rods, beyond: Union[float, np.ndarray] = 0.0) -> Tuple[np.ndarray, np.ndarray]:
