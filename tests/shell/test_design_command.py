@@ -290,10 +290,13 @@ def started(folder, *words):
     """A run that has begun to compute."""
     command = [*BARE, "design", *LONG, *words, "--out", str(folder)]
     process = subprocess.Popen(command, cwd=str(ROOT), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    said = []
     for line in process.stderr:
+        said.append(line)
         if re.match(r" 1\d %", line):
             return process
-    raise AssertionError("it ended before it could be stopped")
+    process.communicate()
+    raise AssertionError("it ended before it could be stopped:\n" + "".join(said))
 
 
 def wait_until(condition, seconds=30.0):
