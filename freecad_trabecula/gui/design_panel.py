@@ -29,7 +29,7 @@ from .view_providers import products_of
 
 translate = FreeCAD.Qt.translate
 WIDTH = 385  # pixels that the form needs
-DRAG_PAUSE = 30  # ms that a value must rest before it is previewed: a burst of signals is one change
+DRAG_PAUSE = 30  # ms from a change to its preview: a burst of signals is one change
 
 
 class DesignPanel:
@@ -160,7 +160,8 @@ class DesignPanel:
     # -------------------------------------------------------------------------------------------------- the preview
 
     def _changed(self) -> None:
-        self._pause.start()
+        if not self._pause.isActive():  # started anew by each change it would never end while a value is dragged
+            self._pause.start()
 
     def _request(self) -> None:
         if not self._open or not self.body.is_ready:

@@ -13,9 +13,7 @@ from .view_providers import products_of
 
 translate = FreeCAD.Qt.translate
 #: A check as ``core.bodies.Check`` writes it.
-_CHECK = re.compile(
-    r"(?P<name>.+): (?P<value>\S+) against (?P<second>\S+), (?P<apart>\S+) apart \(at most (?P<most>\S+)\)"
-)
+_CHECK = re.compile(r"(?P<name>.+?): (?P<found>.*, (?P<apart>\S+) apart \(at most (?P<most>\S+)\))$")
 
 
 class Figure(NamedTuple):

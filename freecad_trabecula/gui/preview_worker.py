@@ -63,7 +63,7 @@ class Outline(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """Porosity of the rods' union and its error, the plain sum of the rods, shares of 1; warnings; whether it is final."""
+    """Porosity of the rods' union and its error, plain sum of the rods, shares of 1; warnings; whether it is final."""
 
     porosity: float
     error: float
@@ -93,7 +93,7 @@ class PreviewWorker(QtCore.QObject):
         """Ask for a preview in place of all earlier ones."""
         now = time.monotonic()
         with self._condition:
-            self._hurried = now - self._asked < HURRY
+            self._hurried = self._busy or now - self._asked < HURRY
             self._asked = now
             self._waiting = request
             self._condition.notify()

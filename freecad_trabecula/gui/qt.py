@@ -66,9 +66,10 @@ def quantity_box() -> Any:
 
 
 def set_length(box: Any, length: float) -> None:
-    """Show a length in mm in a quantity box, with as many digits as it has: the box rounds to those that it shows."""
+    """Show a length in mm in a quantity box, with as many digits as it or a step has: it rounds to what it shows."""
     quantity = FreeCAD.Units.Quantity(float(length), FreeCAD.Units.Length)
-    digits = len(("%.9f" % length).rstrip("0").partition(".")[2])
+    step = float(box.property("singleStep") or 0.0)
+    digits = max(len(("%.9f" % value).rstrip("0").partition(".")[2]) for value in (length, step))
     if 0 < abs(length) < 0.1:
         digits -= 3  # FreeCAD shows micrometres
     quantity.Format = {"Precision": max(digits, 0), "NumberFormat": "f", "Denominator": 8}
@@ -100,5 +101,9 @@ def widen_dock(widget: Any, width: int) -> None:
     dock = widget.parent()
     while dock is not None and not isinstance(dock, QtGui.QDockWidget):
         dock = dock.parent()
-    if dock is not None and dock.width() < width:
-        FreeCADGui.getMainWindow().resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+    window = FreeCADGui.getMainWindow()
+    if dock is None or dock.width() >= width:
+        return
+    if window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea:  # FreeCAD 1.x lays docks over the 3D view
+        return
+    window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
