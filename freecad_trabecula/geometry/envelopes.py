@@ -113,7 +113,7 @@ def box_envelope(l: float, w: float, h: float, deflection: float = 0.0) -> Envel
 
     Examples
     --------
-    >>> box_envelope(10, 10, 5).volume
+    >>> round(box_envelope(10, 10, 5).volume, 6)
     500.0
     """
     for name, size in (("length", l), ("width", w), ("height", h)):
