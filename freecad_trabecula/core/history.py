@@ -2,7 +2,8 @@
 """Rods that were mended before: after a change only those are mended again whose numbers changed (thesis 7.1).
 
 What a rod becomes depends on itself alone: its numbers before mending, its name (whose streams it draws from), the path
-of its coupling, and what is the same for all rods. So the outcome is the same as without a history, to the last bit.
+of its coupling, and what is the same for all rods. So the outcome is the same as without a history. Numbers are
+compared to 1e-7 mm, so that a file written and read, or another machine's last bits, make no difference.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import replace
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -20,7 +21,25 @@ from .records import to_record
 from .recovery import FAULTS, mend
 from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, without
 
+_DIGITS = 7  # of mm and radians: no solid differs by less
 _MOST = 50_000  # rods, some 100 MB
+
+
+class Mended(NamedTuple):
+    """A mended wireframe, and what a history must know to give it again.
+
+    Attributes
+    ----------
+    wireframe : Wireframe
+    keys : tuple of str
+        One for each rod that was coupled, in order, also for those that failed.
+    failed : tuple of bool
+        Which of them failed and are not in the wireframe.
+    """
+
+    wireframe: Wireframe
+    keys: Tuple[str, ...]
+    failed: Tuple[bool, ...]
 
 
 class _Rod(NamedTuple):
@@ -48,7 +67,7 @@ class History:
         region: Region,
         contains: Optional[Contains],
         envelope: str = "",
-    ) -> Wireframe:
+    ) -> Mended:
         """Return what ``recovery.mend`` would return.
 
         Parameters
@@ -63,15 +82,31 @@ class History:
         unknown = np.array([k for k, key in enumerate(keys) if known[key] is None], int)
         if len(unknown):
             some = without(raw, unknown)
-            for k, rod in zip(unknown.tolist(), _outcomes(some, mend(some, parameters, region, contains))):
+            mended = mend(some, parameters, region, contains)
+            for k, rod in zip(unknown.tolist(), _outcomes(mended, _failed(some, mended))):
                 known[keys[k]] = rod
             self._keep({keys[k]: known[keys[k]] for k in unknown.tolist()})
-        return _joined(raw, [known[key] for key in keys])  # type: ignore[misc]
+        rods: List[Any] = [known[key] for key in keys]
+        return Mended(_joined(raw, rods), tuple(keys), tuple(rod.failed for rod in rods))
+
+    def learn(self, mended: Mended) -> None:
+        """Take over what was mended before, elsewhere."""
+        if len(mended.wireframe):
+            self._keep(dict(zip(mended.keys, _outcomes(mended.wireframe, mended.failed))))
 
     def _keep(self, rods: Dict[str, Any]) -> None:
         if len(self._rods) + len(rods) > _MOST:
             self._rods = {}
         self._rods.update(rods)
+
+
+def rounded_keys(wireframe: Wireframe) -> List[str]:
+    """Return a hash of each rod's numbers to 1e-7: equal keys, equal rods, also after a file or on another machine."""
+    if not len(wireframe):
+        return []
+    flat = np.concatenate([a.reshape(len(wireframe), -1) for a in _columns(wireframe)], 1)
+    rows = np.round(flat, _DIGITS) + 0.0  # adding 0 turns -0 into 0
+    return [hashlib.blake2b(row.tobytes(), digest_size=12).hexdigest() for row in rows]
 
 
 def _keys(raw: Wireframe, parameters: WireframeParameters, envelope: str) -> List[str]:
@@ -81,7 +116,7 @@ def _keys(raw: Wireframe, parameters: WireframeParameters, envelope: str) -> Lis
     for path in paths:
         text = json.dumps([envelope, parameters.seed, common, to_record(path, everything=True)], sort_keys=True)
         shared.append(hashlib.blake2b(text.encode(), digest_size=12).hexdigest())
-    own = zip(raw.coupling.tolist(), raw.names, raw.keys())
+    own = zip(raw.coupling.tolist(), raw.names, rounded_keys(raw))
     return [f"{shared[coupling]} {name} {key}" for coupling, name, key in own]
 
 
@@ -92,19 +127,30 @@ def _columns(wireframe: Wireframe) -> List[np.ndarray]:
     return [wireframe.paths, ends.frames, ends.leans, *pores]
 
 
-def _outcomes(raw: Wireframe, mended: Wireframe) -> List[_Rod]:
-    """What became of each rod of ``raw``, in its order; the failed are missing in ``mended``."""
+def _failed(raw: Wireframe, mended: Wireframe) -> List[bool]:
+    """Which rods of ``raw``, in its order, are missing in ``mended``."""
+    found, at = [], 0
+    for name, coupling in zip(raw.names, raw.coupling.tolist()):
+        there = at < len(mended) and (name, coupling) == (mended.names[at], int(mended.coupling[at]))
+        found.append(not there)
+        at += there
+    return found
+
+
+def _outcomes(mended: Wireframe, failed: Sequence[bool]) -> List[_Rod]:
+    """What became of each rod, in the order of ``failed``."""
     recoveries: Dict[str, List[Recovery]] = {}
     for recovery in mended.recoveries:
         recoveries.setdefault(recovery.rod, []).append(recovery)
-    before, after, outside = _columns(raw), _columns(mended), set(mended.outside)
+    columns, outside, lost = _columns(mended), set(mended.outside), iter(mended.failed)
+    empty = [np.zeros(column.shape[1:]) for column in columns]
     found, at = [], 0
-    for k, name in enumerate(raw.names):
-        same = at < len(mended) and (name, raw.coupling[k]) == (mended.names[at], mended.coupling[at])
-        arrays = [column[at].copy() for column in after] if same else [column[k].copy() for column in before]
+    for bad in failed:
+        name = next(lost) if bad else mended.names[at]
         own = recoveries.get(name)
-        found.append(_Rod(arrays, own.pop(0) if own else None, not same, same and name in outside))
-        at += same
+        arrays = empty if bad else [column[at].copy() for column in columns]
+        found.append(_Rod(arrays, own.pop(0) if own else None, bad, not bad and name in outside))
+        at += not bad
     return found
 
 

@@ -31,13 +31,29 @@ def envelope_of(obj: Any) -> Body:
     EnvelopeError
         If there is no object, or its shape is not one closed solid that can be filled.
     """
-    shape = getattr(obj, "Shape", None)
-    if shape is None or shape.isNull():
-        raise EnvelopeError(f"an envelope must have a shape, got {obj.Label + ' without one' if obj else 'nothing'}")
+    shape = _shape_of(obj)
     try:
         return checked_envelope(shape)
     except EnvelopeError as error:
         raise EnvelopeError(f"{obj.Label}: {error}") from error
+
+
+def mark_of(obj: Any) -> str:
+    """Return the fingerprint of the envelope that a document object is; whether it can be filled is not looked at.
+
+    Raises
+    ------
+    EnvelopeError
+        If there is no object, or it has no shape.
+    """
+    return fingerprint(_shape_of(obj))
+
+
+def _shape_of(obj: Any) -> Part.Shape:
+    shape = getattr(obj, "Shape", None)
+    if shape is None or shape.isNull():
+        raise EnvelopeError(f"an envelope must have a shape, got {obj.Label + ' without one' if obj else 'nothing'}")
+    return shape
 
 
 def checked_envelope(shape: Part.Shape) -> Body:

@@ -15,16 +15,23 @@ from ..geometry.design import SitedFace, sites_shape
 from ..geometry.face_sites import face_sites
 from . import results
 from .base import read_parameters
-from .envelope import envelope_of
-from .feature import Feature, Property, result
+from .envelope import envelope_of, mark_of
+from .feature import Property, result
+from .on_demand import RESULT_KEY, Keyed
 
 
 def sites_on(face: Part.Face, envelope: str, parameters: FaceParameters, progress: Progress = silent) -> Sites:
     """Return the sites on a face of the envelope with that fingerprint, computed if they are not at hand."""
-    key = results.key_of("face sites", envelope, parameters)
     return results.found_or_made(
-        "sites", key, lambda: face_sites(face, parameters.label, parameters, progress=progress)
+        FaceSites.KIND,
+        sites_key(envelope, parameters),
+        lambda: face_sites(face, parameters.label, parameters, progress=progress),
     )
+
+
+def sites_key(envelope: str, parameters: FaceParameters) -> str:
+    """Return the key of the sites on a face of the envelope with that fingerprint."""
+    return results.key_of("face sites", envelope, parameters)
 
 
 def lost(obj: Any, face: str) -> EnvelopeError:
@@ -36,14 +43,16 @@ def lost(obj: Any, face: str) -> EnvelopeError:
     )
 
 
-class FaceSites(Feature):
+class FaceSites(Keyed):
     """The sites of one face of any solid."""
 
     Type = "Trabecula::FaceSites"
+    KIND = "sites"
     PARAMETERS = (FaceParameters,)
     PROPERTIES = (
         Property("App::PropertyLinkSub", "Face", "Base", "Face of the envelope"),
         result("Integer", "Count", "Sites on the face"),
+        RESULT_KEY,
     )
 
     def parameters(self, obj: Any) -> FaceParameters:
@@ -76,13 +85,20 @@ class FaceSites(Feature):
         """Return the object on whose face the sites are."""
         return obj.Face[0] if obj.Face else None
 
-    def prepare(self, obj: Any, progress: Progress = silent) -> None:
-        """Compute beforehand; errors go to the caller."""
-        self.faces(obj, progress)
+    def key(self, obj: Any) -> str:
+        """Return the key of the present inputs."""
+        parameters = self.parameters(obj)
+        return sites_key(mark_of(self.envelope(obj)), parameters)
 
-    def compute(self, obj: Any) -> str:
+    def make(self, obj: Any, progress: Progress) -> Sites:
+        """Find the sites."""
+        (one,) = self.faces(obj, progress).values()
+        return one.sites
+
+    def show(self, obj: Any, value: Sites) -> None:
         """Show the sites as points."""
-        faces = self.faces(obj)
-        obj.Count = sum(len(one.sites) for one in faces.values())
-        obj.Shape = sites_shape(faces)
-        return ""
+        obj.Count, obj.Shape = len(value), sites_shape(self.faces(obj))
+
+    def said(self, obj: Any) -> str:
+        """Return the number of sites."""
+        return f"{obj.Count} sites"

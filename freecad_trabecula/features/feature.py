@@ -144,7 +144,7 @@ def is_a(obj: Any, *types: Type[Feature]) -> bool:
 
 
 def update(obj: Any, progress: Progress = silent) -> None:
-    """Compute a document object again.
+    """Bring a document object up to date, also one that waits to be told.
 
     Parameters
     ----------

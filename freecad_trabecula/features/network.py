@@ -11,6 +11,7 @@ import numpy as np
 import Part
 
 from ..core import wireframe as core
+from ..core.history import rounded_keys
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
 from ..core.rods import true_volumes
@@ -54,7 +55,7 @@ class Network(OnDemand):
     def key(self, obj: Any) -> str:
         """Return the key of the present inputs: the wireframe's."""
         owner = wireframe_object(obj)
-        return owner.Proxy.inputs(owner).key
+        return owner.Proxy.key(owner)
 
     def make(self, obj: Any, progress: Progress) -> Rods:
         """Build the rods that the object does not have."""
@@ -194,7 +195,7 @@ def rod_facts(obj: Any, number: int) -> RodFacts:
 
 def rod_keys(wireframe: core.Wireframe, parameters: RodParameters) -> List[str]:
     """Return a hash for each rod of all that its solid depends on."""
-    more, keys = f" {parameters.stations}", wireframe.keys()
+    more, keys = f" {parameters.stations}", rounded_keys(wireframe)
     return [hashlib.blake2b((key + more).encode(), digest_size=12).hexdigest() for key in keys]
 
 

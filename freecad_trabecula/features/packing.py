@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results as files: a value of dataclasses, tuples, arrays, shapes and meshes to a folder and back.
+"""Results as files, or as a text and numbers in a document: values of dataclasses, tuples, arrays, shapes, meshes.
 
-``value.json`` holds the structure; arrays stand in ``arrays.npz``, shapes in binary BREP, meshes in FreeCAD's own
-binary form. No pickle: what another process wrote is data, not code.
+In a folder ``value.json`` holds the structure; arrays stand in ``arrays.npz``, shapes in binary BREP, meshes in
+FreeCAD's own binary form. In a document arrays are parts of one list of numbers. No pickle: what is read is data.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import json
+import math
 from pathlib import Path
-from typing import Any, List
+from typing import Any, List, Sequence, Tuple
 
 import Mesh
 import numpy as np
@@ -35,12 +36,67 @@ def _class_named(name: str) -> type:
 
 
 class _Files:
-    """Arrays, shapes and meshes of one value."""
+    """Arrays, shapes and meshes of one value, in a folder."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+    def __init__(self, folder: Path, arrays: Any = None) -> None:
+        self.folder, self.read = folder, arrays
         self.arrays: List[np.ndarray] = []
-        self.shapes = self.meshes = 0
+        self.others = 0
+
+    def put_array(self, array: np.ndarray) -> Any:
+        """Take an array; return where it is."""
+        self.arrays.append(array)
+        return len(self.arrays) - 1
+
+    def array(self, place: int) -> np.ndarray:
+        """Return the array at a place."""
+        return self.read[f"arr_{place}"]
+
+    def put(self, value: Any) -> Any:
+        """Take a shape or a mesh; return where it is, None for other values."""
+        self.others += 1
+        if isinstance(value, Part.Shape):
+            value.exportBinary(str(self.folder / f"{self.others}.bin"))
+            return {"shape": f"{self.others}.bin"}
+        if isinstance(value, Mesh.Mesh):
+            value.write(str(self.folder / f"{self.others}.bms"))
+            return {"mesh": f"{self.others}.bms"}
+        return None
+
+    def get(self, kind: str, name: str) -> Any:
+        """Return a shape or a mesh."""
+        if kind == "shape":
+            shape = Part.Shape()
+            shape.importBinary(str(self.folder / name))
+            return shape
+        mesh = Mesh.Mesh()
+        mesh.read(str(self.folder / name))
+        return mesh
+
+
+class _Numbers:
+    """Arrays of one value as one list of numbers; it holds no shapes and no meshes."""
+
+    def __init__(self, numbers: Sequence[float] = ()) -> None:
+        self.numbers = np.asarray(numbers, float)
+        self.parts: List[np.ndarray] = []
+        self.count = 0
+
+    def put_array(self, array: np.ndarray) -> Any:
+        """Take an array; return where it is."""
+        self.parts.append(array.astype(float).ravel())
+        self.count += array.size
+        return [self.count - array.size, array.dtype.str, list(array.shape)]
+
+    def array(self, place: Any) -> np.ndarray:
+        """Return the array at a place."""
+        start, dtype, shape = place
+        part = self.numbers[start : start + math.prod(shape)]
+        return part.reshape(shape).astype(np.dtype(dtype))
+
+    def put(self, value: Any) -> Any:
+        """Take nothing."""
+        return None
 
 
 def write_value(value: Any, folder: Path) -> None:
@@ -55,36 +111,49 @@ def write_value(value: Any, folder: Path) -> None:
 def read_value(folder: Path) -> Any:
     """Return the value that ``write_value`` wrote."""
     with np.load(str(folder / "arrays.npz"), allow_pickle=False) as arrays:
-        return _unpacked(json.loads((folder / "value.json").read_text(encoding="utf-8")), folder, arrays)
+        return _unpacked(json.loads((folder / "value.json").read_text(encoding="utf-8")), _Files(folder, arrays))
 
 
-def _packed(value: Any, files: _Files) -> Any:
+def to_numbers(value: Any) -> Tuple[str, List[float]]:
+    """Return a value without shapes and meshes as a text and a list of numbers."""
+    store = _Numbers()
+    text = json.dumps(_packed(value, store))
+    return text, np.concatenate([np.zeros(0), *store.parts]).tolist()
+
+
+def from_numbers(text: str, numbers: Sequence[float]) -> Any:
+    """Return the value that ``to_numbers`` made into a text and numbers.
+
+    Raises
+    ------
+    ExportError
+        If they are not such a value, or one of another version.
+    """
+    try:
+        return _unpacked(json.loads(text), _Numbers(numbers))
+    except (ValueError, TypeError, AttributeError, KeyError, ImportError) as error:
+        raise ExportError(f"what a document holds must be a value of this version: {error}") from error
+
+
+def _packed(value: Any, store: Any) -> Any:
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
     if isinstance(value, np.ndarray):
-        files.arrays.append(value)
-        return {"array": len(files.arrays) - 1}
+        return {"array": store.put_array(value)}
     if isinstance(value, np.generic):
         return value.item()
-    if isinstance(value, Part.Shape):
-        files.shapes += 1
-        name = f"{files.shapes}.bin"
-        value.exportBinary(str(files.folder / name))
-        return {"shape": name}
-    if isinstance(value, Mesh.Mesh):
-        files.meshes += 1
-        name = f"{files.meshes}.bms"
-        value.write(str(files.folder / name))
-        return {"mesh": name}
     if isinstance(value, dict):
-        return {"dict": [[_packed(k, files), _packed(v, files)] for k, v in value.items()]}
+        return {"dict": [[_packed(k, store), _packed(v, store)] for k, v in value.items()]}
     names = _field_names(value)
     if names:
-        fields = {name: _packed(getattr(value, name), files) for name in names}
+        fields = {name: _packed(getattr(value, name), store) for name in names}
         return {"class": _class_name(type(value)), "fields": fields}
     if isinstance(value, (tuple, list)):
-        return {"list" if isinstance(value, list) else "tuple": [_packed(v, files) for v in value]}
-    raise ExportError(f"results must be numbers, texts, arrays, shapes, meshes or records of them, got {type(value)}")
+        return {"list" if isinstance(value, list) else "tuple": [_packed(v, store) for v in value]}
+    packed = store.put(value)
+    if packed is None:
+        raise ExportError(f"results must be numbers, texts, arrays or records of them, got {type(value)}")
+    return packed
 
 
 def _field_names(value: Any) -> List[str]:
@@ -93,23 +162,17 @@ def _field_names(value: Any) -> List[str]:
     return list(getattr(value, "_fields", ()))
 
 
-def _unpacked(value: Any, folder: Path, arrays: Any) -> Any:
+def _unpacked(value: Any, store: Any) -> Any:
     if not isinstance(value, dict):
         return value
     (kind, inner), *fields = value.items()
     if kind == "array":
-        return arrays[f"arr_{inner}"]
-    if kind == "shape":
-        shape = Part.Shape()
-        shape.importBinary(str(folder / inner))
-        return shape
-    if kind == "mesh":
-        mesh = Mesh.Mesh()
-        mesh.read(str(folder / inner))
-        return mesh
+        return store.array(inner)
+    if kind in ("shape", "mesh"):
+        return store.get(kind, inner)
     if kind == "dict":
-        return {_unpacked(k, folder, arrays): _unpacked(v, folder, arrays) for k, v in inner}
+        return {_unpacked(k, store): _unpacked(v, store) for k, v in inner}
     if kind == "class":
-        return _class_named(inner)(**{name: _unpacked(v, folder, arrays) for name, v in fields[0][1].items()})
-    values = [_unpacked(v, folder, arrays) for v in inner]
+        return _class_named(inner)(**{name: _unpacked(v, store) for name, v in fields[0][1].items()})
+    values = [_unpacked(v, store) for v in inner]
     return values if kind == "list" else tuple(values)

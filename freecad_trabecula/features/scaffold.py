@@ -78,7 +78,7 @@ class Scaffold(OnDemand):
     def key(self, obj: Any) -> str:
         """Return the key of the present inputs."""
         owner = wireframe_object(obj)
-        return scaffold_key(owner.Proxy.inputs(owner), read_parameters(obj, ScaffoldParameters))
+        return scaffold_key(owner.Proxy.key(owner), read_parameters(obj, ScaffoldParameters))
 
     def make(self, obj: Any, progress: Progress) -> Cut:
         """Cut the channels."""
@@ -124,9 +124,9 @@ class Body(Feature):
         return UP_TO_DATE if obj.Scaffold.UpToDate and obj.ResultKey == key else OUT_OF_DATE
 
 
-def scaffold_key(inputs: Inputs, parameters: ScaffoldParameters) -> str:
-    """Return the key of a scaffold."""
-    return results.key_of("scaffold", inputs.key, parameters)
+def scaffold_key(wireframe: str, parameters: ScaffoldParameters) -> str:
+    """Return the key of a scaffold of the wireframe with that key."""
+    return results.key_of("scaffold", wireframe, parameters)
 
 
 def cut(inputs: Inputs, parameters: ScaffoldParameters, progress: Progress = silent) -> Cut:

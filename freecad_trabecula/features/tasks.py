@@ -138,7 +138,7 @@ def _compute(wanted: Dict[str, Any], inputs: Inputs, progress: Progress) -> List
         return [(kind, inputs.key)]
     if kind == Scaffold.KIND:
         parameters = from_record(ScaffoldParameters, wanted["scaffold"], "scaffold")
-        key = scaffold_key(inputs, parameters)
+        key = scaffold_key(inputs.key, parameters)
         results.keep(kind, key, cut(inputs, parameters, progress)._replace(bodies=None))
         return [(kind, key)]
     return []

@@ -3,22 +3,24 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from ..core import wireframe as core
-from ..core.history import History
+from ..core.history import History, Mended
 from ..core.parameters import LARGEST_SEED, Coupling, PathParameters, PoreParameters, RodParameters, SiteEdit
 from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
-from ..errors import EnvelopeError, ParameterError
+from ..errors import EnvelopeError, ExportError, ParameterError
 from ..geometry.design import SitedFace, design_wireframe, pore_warnings, wires_shape
 from ..geometry.envelopes import Envelope
 from . import results
 from .base import lines_of, read_parameters, records_of
-from .envelope import envelope_of
-from .feature import Feature, Property, result
+from .envelope import envelope_of, mark_of
+from .feature import Property, result
+from .on_demand import RESULT_KEY, Keyed
+from .packing import from_numbers, to_numbers
 
 _SEEDS = (1, 0, LARGEST_SEED, 1)  # value, least, greatest, step
 
@@ -33,10 +35,11 @@ class Inputs(NamedTuple):
     key: str
 
 
-class Wireframe(Feature):
+class Wireframe(Keyed):
     """Sites, pores, pairs, paths, end sections of a design: rods and channels are two views of it."""
 
     Type = "Trabecula::Wireframe"
+    KIND = "wireframe"
     PARAMETERS = (PoreParameters, PathParameters, RodParameters)
     PROPERTIES = (
         Property("App::PropertyLink", "Envelope", "Base", "The body to be filled"),
@@ -63,6 +66,9 @@ class Wireframe(Feature):
         result("StringList", "Warnings", "Pores that overlap or reach over a border"),
         result("FloatList", "PoreSizes", "Sizes of the rods' end sections, mm"),
         result("FloatList", "PoreAreas", "True areas of the rods' end sections, mm^2"),
+        result("String", "Structure", "The wireframe: names, tables, places of its numbers", hidden=True),
+        result("FloatList", "Numbers", "The wireframe: its numbers", hidden=True),
+        RESULT_KEY,
     )
 
     def parameters(self, obj: Any) -> WireframeParameters:
@@ -76,6 +82,29 @@ class Wireframe(Feature):
             int(obj.Seed),
         )
 
+    def key(self, obj: Any) -> str:
+        """Return the key of the present inputs."""
+        return wireframe_key(mark_of(obj.Envelope), self.sites_parameters(obj), self.parameters(obj))
+
+    def sites_parameters(self, obj: Any) -> List[Any]:
+        """Return the parameters of the linked sites.
+
+        Raises
+        ------
+        EnvelopeError
+            If sites are on another body.
+        """
+        found = []
+        for sites in obj.Sites:
+            owner = sites.Proxy.envelope(sites)
+            if owner != obj.Envelope:
+                raise EnvelopeError(
+                    f"the sites {sites.Label} must be on faces of {obj.Envelope.Label}, "
+                    f"got {owner.Label if owner else 'none'}"
+                )
+            found.append(sites.Proxy.parameters(sites))
+        return found
+
     def inputs(self, obj: Any, progress: Progress = silent) -> Inputs:
         """Return all that the wireframe depends on.
 
@@ -86,54 +115,74 @@ class Wireframe(Feature):
         ParameterError
             If a value is refused, or two faces have one name.
         """
-        body, parameters = envelope_of(obj.Envelope), self.parameters(obj)
+        key, body = self.key(obj), envelope_of(obj.Envelope)
         faces: Dict[str, SitedFace] = {}
-        chosen = []
         for sites in obj.Sites:
-            owner = sites.Proxy.envelope(sites)
-            if owner != obj.Envelope:
-                raise EnvelopeError(
-                    f"the sites {sites.Label} must be on faces of {obj.Envelope.Label}, "
-                    f"got {owner.Label if owner else 'none'}"
-                )
-            chosen.append(sites.Proxy.parameters(sites))
             for label, one in sites.Proxy.faces(sites, progress).items():
                 if label in faces:
                     raise ParameterError(f"every face must be named once, got {label!r} again in {sites.Label}")
                 faces[label] = one
-        return Inputs(body.envelope, faces, parameters, body.mark, wireframe_key(body.mark, chosen, parameters))
+        return Inputs(body.envelope, faces, self.parameters(obj), body.mark, key)
 
     def wireframe(self, obj: Any, progress: Progress = silent) -> core.Wireframe:
-        """Return the wireframe, computed if it is not at hand."""
-        return made(self.inputs(obj, progress), progress)
+        """Return the wireframe, computed if it is neither at hand nor in the document."""
+        recall(obj)
+        return results.found_or_made(self.KIND, self.key(obj), lambda: self.make(obj, progress)).wireframe
 
-    def prepare(self, obj: Any, progress: Progress = silent) -> None:
-        """Compute beforehand; errors go to the caller."""
-        self.wireframe(obj, progress)
+    def make(self, obj: Any, progress: Progress) -> Mended:
+        """Make the wireframe; only rods whose numbers changed are mended."""
+        recall(obj)
+        return mended(self.inputs(obj, progress), progress)
 
-    def compute(self, obj: Any) -> str:
-        """Make the wireframe and show it."""
-        inputs = self.inputs(obj)
-        wireframe = made(inputs)
-        shape = wires_shape(wireframe)
+    def show(self, obj: Any, value: Mended) -> None:
+        """Show paths and end sections, and what is known of them."""
+        wireframe = value.wireframe
+        shape, warnings = wires_shape(wireframe), pore_warnings(wireframe, self.inputs(obj).faces)
+        obj.Structure, obj.Numbers = to_numbers(value)
         obj.Rods = len(wireframe)
         obj.CouplingTable = lines_of(wireframe.rows)
         obj.Recoveries = lines_of(wireframe.recoveries)
-        obj.Failed, obj.Outside = list(wireframe.failed), list(wireframe.outside)
-        obj.Warnings = pore_warnings(wireframe, inputs.faces)
+        obj.Failed, obj.Outside, obj.Warnings = list(wireframe.failed), list(wireframe.outside), warnings
         obj.PoreSizes, obj.PoreAreas = sections(wireframe)
         obj.Shape = shape
-        return said(wireframe, obj.Warnings)
+
+    def said(self, obj: Any) -> str:
+        """Return what a user should know, in one line."""
+        parts = [f"{obj.Rods} rods"]
+        counts = ((obj.Recoveries, "mended"), (obj.Failed, "failed and left out"), (obj.Outside, "leave the envelope"))
+        parts += [f"{len(names)} {what}" for names, what in counts if names]
+        return "; ".join([", ".join(parts), *obj.Warnings])
+
+
+def recall(obj: Any) -> None:
+    """Take the wireframe that the document holds into the results and into the history, where it is not yet."""
+    if not obj.ResultKey or results.find(Wireframe.KIND, obj.ResultKey) is not None:
+        return
+    try:
+        value = from_numbers(obj.Structure, obj.Numbers)
+    except ExportError:
+        return  # of another version: it is computed again
+    results.keep(Wireframe.KIND, obj.ResultKey, value)
+    history().learn(value)
+
+
+def history() -> History:
+    """Return the rods mended so far."""
+    return results.found_or_made("history", "rods", History)
+
+
+def mended(inputs: Inputs, progress: Progress = silent) -> Mended:
+    """Return the wireframe of inputs with its history, computed if it is not at hand."""
+
+    def make() -> Mended:
+        return design_wireframe(inputs.parameters, inputs.envelope, inputs.faces, history(), inputs.mark, progress)
+
+    return results.found_or_made(Wireframe.KIND, inputs.key, make)
 
 
 def made(inputs: Inputs, progress: Progress = silent) -> core.Wireframe:
     """Return the wireframe of inputs, computed if it is not at hand."""
-
-    def make() -> core.Wireframe:
-        history = results.found_or_made("history", "rods", History)
-        return design_wireframe(inputs.parameters, inputs.envelope, inputs.faces, progress, history, inputs.mark)
-
-    return results.found_or_made("wireframe", inputs.key, make)
+    return mended(inputs, progress).wireframe
 
 
 def wireframe_of(obj: Any) -> core.Wireframe:
@@ -167,12 +216,3 @@ def sections(wireframe: core.Wireframe) -> Tuple[list, list]:
     """Return sizes (mm) and true areas (mm2) of the rods' end sections, first and second ends of all rods."""
     ends = (wireframe.ends.first, wireframe.ends.second)
     return tuple(np.concatenate([getattr(p, name) for p in ends]).tolist() for name in ("size", "areas"))
-
-
-def said(wireframe: core.Wireframe, warnings: list) -> str:
-    """Return what a user should know of a wireframe, in one line."""
-    parts = [f"{len(wireframe)} rods"]
-    counts = ((wireframe.recoveries, "mended"), (wireframe.failed, "failed and left out"),
-              (wireframe.outside, "leave the envelope"))  # fmt: skip
-    parts += [f"{len(names)} {what}" for names, what in counts if names]
-    return "; ".join([", ".join(parts), *warnings])

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import FreeCAD
 import numpy as np
 import Part
 
-from ..core.assembly import draft_wireframe, make_wireframe
-from ..core.history import History
+from ..core.assembly import draft_wireframe
+from ..core.history import History, Mended
 from ..core.job import Job, check_rods
 from ..core.parameters import PrismParameters, SiteEdit
 from ..core.progress import Progress, part, silent
@@ -122,10 +122,10 @@ def design_wireframe(
     parameters: WireframeParameters,
     envelope: Envelope,
     faces: Dict[str, SitedFace],
+    history: History,
+    mark: str,
     progress: Progress = silent,
-    history: Optional[History] = None,
-    mark: str = "",
-) -> Wireframe:
+) -> Mended:
     """Return the mended wireframe of an envelope whose faces have sites.
 
     Parameters
@@ -133,11 +133,11 @@ def design_wireframe(
     parameters : WireframeParameters
     envelope : Envelope
     faces : dict of SitedFace, by label
-    progress : callable
-    history : History, optional
+    history : History
         Rods that were mended before.
     mark : str
         Fingerprint of the envelope: tells it from others in the history.
+    progress : callable
 
     Raises
     ------
@@ -147,8 +147,6 @@ def design_wireframe(
     sites = edited(faces, parameters.edits)
     on = {label: int(one.on.sum()) for label, one in sites.items()}
     check_rods(sum(min(on.get(c.first, 0), on.get(c.second, 0)) for c in parameters.couplings if c.on))
-    if history is None:
-        return make_wireframe(parameters, sites, envelope.region, envelope.contains, progress)
     raw = draft_wireframe(parameters, sites, envelope.region, progress)
     progress(2, 3, "faults")
     return history.mend(raw, parameters, envelope.region, envelope.contains, mark)
@@ -171,7 +169,8 @@ def make_design(job: Job, progress: Progress = silent) -> Design:
     progress(0.0, 1.0, "envelope")
     envelope = job_envelope(job)
     faces = job_faces(job, envelope, part(progress, 0.2, 0.6))
-    return Design(envelope, faces, design_wireframe(job.wireframe, envelope, faces, part(progress, 0.6, 1.0)))
+    mended = design_wireframe(job.wireframe, envelope, faces, History(), "", part(progress, 0.6, 1.0))
+    return Design(envelope, faces, mended.wireframe)
 
 
 # ----------------------------------------------------------------------------------------------------- the warnings

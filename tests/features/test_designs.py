@@ -92,7 +92,7 @@ class DesignsTest(DocumentCase):
             for job, error, pattern in (
                 (Job(envelope=open_shell, faces=faces, couplings=coupling), EnvelopeError, "closed solid"),
                 (Job(envelope="no.step", faces=faces, couplings=coupling), ExportError, "readable, got no.step"),
-                (Job(prism=PrismParameters(), faces=faces, couplings=coupling), EnvelopeError, "got 'Face9'"),
+                (Job(prism=PrismParameters(), faces=faces, couplings=coupling), EnvelopeError, "lost their face Face9"),
             ):
                 with self.unchanged(), self.assertRaisesRegex(error, pattern):
                     self.make(job)

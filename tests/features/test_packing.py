@@ -61,3 +61,26 @@ class PackingTest(unittest.TestCase):
         (place / "value.json").write_text('{"class": "os:system", "fields": {}}', encoding="utf-8")
         with self.assertRaisesRegex(ExportError, "got 'os:system'"):
             packing.read_value(place)
+
+    def test_a_wireframe_becomes_a_text_and_numbers_and_comes_back_bit_by_bit(self):
+        wireframe = make_design(small_job(kind="box")).wireframe
+        text, numbers = packing.to_numbers(wireframe)
+        self.assertTrue(all(type(number) is float for number in numbers))
+        back = packing.from_numbers(text, numbers)
+        self.assertEqual(back.keys(), wireframe.keys())
+        self.assertEqual((back.names, back.rows), (wireframe.names, wireframe.rows))
+        self.assertEqual(back.sites["Face1"].index.dtype, wireframe.sites["Face1"].index.dtype)
+
+    def test_texts_of_another_version_are_refused(self):
+        text, numbers = packing.to_numbers(make_design(small_job()).wireframe)
+        for other, some in (
+            (text.replace('"paths"', '"ways"'), numbers),
+            (text.replace("core.wireframe:", "core.gone:"), numbers),
+            (text, numbers[:-5]),
+            (text[:-5], numbers),
+            ("", []),
+        ):
+            with self.assertRaisesRegex(ExportError, "value of this version"):
+                packing.from_numbers(other, some)
+        with self.assertRaisesRegex(ExportError, "must be numbers, texts"):
+            packing.to_numbers(Part.makeBox(1, 1, 1))

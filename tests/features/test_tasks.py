@@ -49,7 +49,7 @@ class TasksTest(DocumentCase):
         results.clear()
         self.assertEqual(make.take_results(self.folder), 1)
         key = wireframe.Proxy.inputs(wireframe).key
-        self.assertEqual(results.find("wireframe", key).keys(), here)
+        self.assertEqual(results.find("wireframe", key).wireframe.keys(), here)
 
     @unittest.skipUnless(manifold_available(), NO_BOOLEANS)
     def test_an_object_that_waits_takes_the_result_at_once(self):

@@ -3,6 +3,7 @@
 
 import json
 import sys
+import unittest.mock
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +14,7 @@ sys.path.append(str(Path(__file__).resolve().parent))
 from document_case import DocumentCase, small_job
 
 from freecad_trabecula import make
+from freecad_trabecula.core import recovery
 from freecad_trabecula.core import wireframe as core
 from freecad_trabecula.core.parameters import Coupling, FaceParameters
 from freecad_trabecula.core.presets import preset
@@ -78,6 +80,25 @@ class WireframeTest(DocumentCase):
         paths = computed(wireframe).paths
         bend = np.cross(paths[:, 1, 3] - paths[:, 0, 0], paths[:, 0, 3] - paths[:, 0, 0])
         self.assertLess(np.abs(bend).max(), 1e-9)
+
+    def test_the_document_holds_the_wireframe_so_that_nothing_is_mended_again(self):
+        wireframe = self.make(small_job(n=4, kind="box")).wireframe
+        keys = computed(wireframe).keys()
+        wireframe = self.reopened().getObject("Wireframe")
+        with unittest.mock.patch("freecad_trabecula.core.history.mend", side_effect=AssertionError):
+            self.document.recompute(None, True)
+            self.assertEqual(wireframe.State, ["Up-to-date"])
+            self.assertEqual(computed(wireframe).keys(), keys)
+        with unittest.mock.patch("freecad_trabecula.core.history.mend", wraps=recovery.mend) as mended:
+            make.set_pore(wireframe, "Face1.2.2", 0.5)
+            self.assertEqual([len(call[0][0]) for call in mended.call_args_list], [1])
+
+    def test_a_wireframe_of_another_version_is_computed_again(self):
+        wireframe = self.make(small_job()).wireframe
+        keys = computed(wireframe).keys()
+        wireframe.Structure = wireframe.Structure.replace('"paths"', '"ways"')
+        wireframe = self.reopened().getObject("Wireframe")
+        self.assertEqual(computed(wireframe).keys(), keys)
 
     def test_one_site_switched_off_changes_few_rods(self):
         wireframe = self.make(small_job(n=5)).wireframe
