@@ -20,7 +20,7 @@ import Part
 
 from ..core import mesh_formats, stl
 from ..core.meshes import Mesh, printable
-from ..errors import ExportError, KernelError, ParameterError
+from ..errors import ExportError, ParameterError
 
 PathLike = Union[str, Path]
 
@@ -167,7 +167,7 @@ def estimate_shape_size(kind: str, solids: Sequence[Part.Shape]) -> int:
 
     Raises
     ------
-    KernelError
+    ExportError
         If the sample cannot be written.
     """
     if not solids:
@@ -178,10 +178,7 @@ def estimate_shape_size(kind: str, solids: Sequence[Part.Shape]) -> int:
     with tempfile.TemporaryDirectory(prefix="trabecula-") as folder:
         path = Path(folder) / f"sample.{kind}"
         for some in (sample[:1], sample):
-            try:
-                write_shape(path, Part.makeCompound(some))
-            except ExportError as error:
-                raise KernelError(f"the size of a {kind} file could not be estimated: {error}") from error
+            write_shape(path, Part.makeCompound(some))
             sizes.append(path.stat().st_size)
     if len(sample) == 1:
         return sizes[0] * len(solids)
