@@ -24,7 +24,7 @@ from .wireframe import Wireframe
 
 BALANCE = 1e-6  # of the envelope: scaffold + channels + loose pieces against it (mesh engine, or a box)
 FIELD = 2e-3  # of the envelope: what cells may change
-RAYS = (100, 400)  # fewest and most rays per direction
+RAYS = (100, 250)  # fewest and most rays per direction
 RAYS_PER_ROOT = 16  # rays per direction and root of the number of rods: 1e-4 of the volume for case 6
 FIELD_RAYS = 150  # per direction, where cells blunt the volume more than so few rays do
 RAY_ERRORS = 5.0  # standard errors by which the rays' volume may differ

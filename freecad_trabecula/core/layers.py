@@ -8,19 +8,25 @@ nothing: the envelope was there before.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple, Sequence, Tuple
 
 import numpy as np
 
-from ..errors import MeshError
+from ..errors import DependencyError, MeshError
 from .booleans import combine
 from .meshes import Mesh, directed_edges, mesh_volume
 from .parameters import Coupling, LayerParameters
 from .wireframe import Wireframe
 
+_REACHES = (0.5, 0.75, 1.0, 1.5, 2.0, 3.0)  # thicknesses over which normals are smoothed, one after the other
+_SAME_COSINE = 0.9998  # 1 degree; normals that turn less count as they were
+_LEAST_COSINE = (
+    0.5  # between a smoothed direction and the face's normal: a layer is nowhere thinner than half of its thickness
+)
+_HALVINGS = 24  # of the shift of a border; 0.1 mm is then below a nanometre
 _NEEDLE = 1e-6  # of the largest triangle; the direction of smaller ones is rounding
-_HAIR = 0.05  # thicknesses; how far a layer reaches past the face and its border, so that no surfaces coincide
+_HAIR = 0.1  # thicknesses; how far a layer reaches past the face and its border, so that no surfaces coincide
 
 
 @dataclass(frozen=True)
@@ -105,11 +111,21 @@ def thicken(patch: Patch, inner: float, outer: float, widening: float = 0.0, tuc
         If the solid would fold: the face bends more sharply than the thickness allows.
     """
     start, end = border_edges(patch)
-    aside = _aside(patch, start, end)
-    face = patch.vertices + widening * aside
-    top, bottom = face + outer * patch.normals, face - inner * patch.normals - tuck * aside
-    for moved in (top, bottom):
-        _check_folds(patch, moved, max(inner, outer))
+    wider, tucked = _aside(patch, widening), _aside(patch, -tuck)
+    for _ in range(_HALVINGS):
+        face = patch.vertices + wider
+        top, bottom = face + outer * patch.normals, face - inner * patch.normals + tucked
+        folded = np.union1d(_folds(patch, top), _folds(patch, bottom))
+        if not len(folded):
+            break
+        touched = np.unique(patch.triangles[folded])  # triangles narrower than the shift of their border
+        wider[touched] /= 2
+        tucked[touched] /= 2
+    else:
+        raise MeshError(
+            f"a layer must be thinner than the least radius of its face's curvature: at {max(inner, outer):g} mm "
+            f"{len(folded)} of {len(patch.triangles)} triangles fold"
+        )
     count = len(face)
     rings = [top, bottom] + ([face] if tuck else [])
     walls = _walls(start, end, count, 2 * count if tuck else None)
@@ -134,19 +150,17 @@ def border_edges(patch: Patch) -> Tuple[np.ndarray, np.ndarray]:
     return start[alone], end[alone]
 
 
-def _aside(patch: Patch, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Per vertex (P, 3): on the border the way out of the face, in its plane, so long that edges move by 1; else 0."""
+def _aside(patch: Patch, distance: float) -> np.ndarray:
+    """Shifts (P, 3), mm, that move the border outwards in the tangent planes of the face; 0 inside the face."""
+    start, end = border_edges(patch)
     along = patch.vertices[end] - patch.vertices[start]
-    out = np.zeros((2,) + patch.vertices.shape)
-    for side, at in enumerate((start, end)):
-        across = np.cross(along, patch.normals[at])
-        across /= np.linalg.norm(across, axis=1, keepdims=True).clip(1e-300)
-        np.add.at(out[side], at, across)
-    total = out.sum(0)
+    total = np.zeros_like(patch.vertices)
+    for at in (start, end):
+        np.add.at(total, at, _unit(np.cross(along, patch.normals[at])))
     length = np.linalg.norm(total, axis=1, keepdims=True)
     # two unit vectors at an angle a add to 2 cos(a/2): a mitre is 1 / cos(a/2) long; sharp ones are cut at 3
-    mitre = (2 / length.clip(1e-300)).clip(0, 3)
-    return np.where(length > 1e-9, total / length.clip(1e-300) * mitre, 0.0)
+    mitre = np.where(length > _NEEDLE, (2 / length.clip(_NEEDLE)).clip(0, 3), 0.0)
+    return distance * mitre * _unit(total)
 
 
 def _walls(start: np.ndarray, end: np.ndarray, count: int, between: object) -> np.ndarray:
@@ -159,16 +173,68 @@ def _walls(start: np.ndarray, end: np.ndarray, count: int, between: object) -> n
     return np.concatenate(walls)
 
 
-def _check_folds(patch: Patch, moved: np.ndarray, thickness: float) -> None:
+def _folds(patch: Patch, moved: np.ndarray) -> np.ndarray:
+    """Numbers of the triangles that turn over when the vertices are moved."""
     t = patch.triangles
     before, after = (np.cross(v[t[:, 1]] - v[t[:, 0]], v[t[:, 2]] - v[t[:, 0]]) for v in (patch.vertices, moved))
     area = np.linalg.norm(before, axis=1)
-    folded = int((((before * after).sum(1) < 0) & (area > _NEEDLE * area.max())).sum())
-    if folded:
+    return np.flatnonzero(((before * after).sum(1) < 0) & (area > _NEEDLE * area.max()))
+
+
+def unfolded(patch: Patch, inner: float, outer: float) -> Tuple[Patch, int]:
+    """Return the face with normals along which it can be thickened without folds, and how many vertices that took.
+
+    Where a face bends more sharply than the layer is thick (bumps of real bone), its normals would cross inside the
+    layer. There and around they are replaced by their mean over a neighbourhood, which grows until no triangle turns
+    over.
+
+    Raises
+    ------
+    MeshError
+        If a direction would leave its normal by more than 60 degrees, or smoothing does not help.
+    DependencyError
+        If smoothing is needed and scipy is not installed.
+    """
+    thickness, vertices, normals = max(inner, outer), patch.vertices, patch.normals
+    zone = np.zeros(len(vertices), bool)
+    for reach in (0.0, *_REACHES):
+        if reach:
+            normals = _smoothed(patch, zone, reach * thickness)
+        folded = np.union1d(*(_folds(patch, vertices + step * normals) for step in (outer, -inner)))
+        if not len(folded):
+            break
+        zone[patch.triangles[folded]] = True
+    if len(folded) or (normals * patch.normals).sum(1).min() < _LEAST_COSINE:
         raise MeshError(
-            f"a layer must be thinner than the least radius of its face's curvature: at {thickness:g} mm {folded} of "
-            f"{len(patch.triangles)} triangles fold"
+            f"a layer must be thinner than the least radius of its face's curvature: at {thickness:g} mm "
+            f"{len(folded)} of {len(patch.triangles)} triangles fold, and smoothing does not help"
         )
+    changed = (normals * patch.normals).sum(1) < _SAME_COSINE
+    return replace(patch, normals=normals), int(changed.sum())
+
+
+def _smoothed(patch: Patch, zone: np.ndarray, reach: float) -> np.ndarray:
+    """Normals (P, 3): in the zone their Gaussian mean over ``reach`` mm, far from it as they were, else a blend."""
+    try:
+        from scipy.spatial import cKDTree
+    except ImportError as error:
+        raise DependencyError("layers on faces that bend sharply need the package scipy") from error
+    points, t = patch.vertices, patch.triangles
+    area = np.linalg.norm(np.cross(points[t[:, 1]] - points[t[:, 0]], points[t[:, 2]] - points[t[:, 0]]), axis=1)
+    share = np.bincount(t.ravel(), area.repeat(3), len(points))
+    away = cKDTree(points[zone]).query(points)[0]
+    near = np.flatnonzero(away < 3 * reach)
+    found = cKDTree(points[near]).sparse_distance_matrix(cKDTree(points), 2 * reach, output_type="coo_matrix")
+    weights = np.exp(-((found.data / reach) ** 2)) * share[found.col]
+    mean = np.stack([np.bincount(found.row, weights * patch.normals[found.col, k], len(near)) for k in range(3)], 1)
+    blend = np.exp(-((away[near, None] / (1.5 * reach)) ** 2))
+    normals = patch.normals.copy()
+    normals[near] = _unit((1 - blend) * patch.normals[near] + blend * _unit(mean))
+    return normals
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True).clip(1e-300)
 
 
 def _compact(vertices: np.ndarray, triangles: np.ndarray) -> Mesh:
@@ -201,18 +267,22 @@ def layered_body(envelope: Mesh, patches: Sequence[Patch], layers: LayerParamete
     if not patches:
         return LayeredBody(envelope, (), 0.0, "")
     t = layers.thickness
+    if layers.side == "inwards" and not layers.closed:
+        note = "layers inwards that the channels go through are the envelope itself: nothing changes"
+        return LayeredBody(envelope, (), 0.0, note)
+    smoothed = [unfolded(p, *((t, _HAIR * t) if layers.side == "inwards" else (_HAIR * t, t))) for p in patches]
+    patches, changed = [p for p, _ in smoothed], sum(n for _, n in smoothed)
+    note = f"layers follow smoothed normals at {changed} points where a face bends more sharply than {t:g} mm"
+    note = note if changed else ""
     if layers.side == "inwards":
-        if not layers.closed:
-            note = "layers inwards that the channels go through are the envelope itself: nothing changes"
-            return LayeredBody(envelope, (), 0.0, note)
         solids = tuple(thicken(p, t, _HAIR * t, widening=_HAIR * t) for p in patches)
         if not len(combine([envelope, *solids], "difference").triangles):
             raise MeshError(f"layers inwards must leave a part of the envelope, but {t:g} mm take all of it")
-        return LayeredBody(envelope, solids, 0.0, "")
+        return LayeredBody(envelope, solids, 0.0, note)
     plugs = [thicken(p, _HAIR * t, t, tuck=_HAIR * t) for p in patches]
     body = combine([envelope, *plugs], "union")
     solids = tuple(thicken(p, 0.0, t) for p in patches) if layers.closed else ()
-    return LayeredBody(body, solids, mesh_volume(body) - mesh_volume(envelope), "")
+    return LayeredBody(body, solids, mesh_volume(body) - mesh_volume(envelope), note)
 
 
 def reaches(wireframe: Wireframe, couplings: Sequence[Coupling], layers: LayerParameters, beyond: float) -> np.ndarray:
