@@ -34,6 +34,14 @@ class Rods(NamedTuple):
     mesh_volumes: np.ndarray
 
 
+class Kept(NamedTuple):
+    """One rod: its solid, the solid's volume and the mesh's, mm3."""
+
+    solid: Part.Shape
+    volume: float
+    mesh_volume: float
+
+
 class Network(OnDemand):
     """All rods of a wireframe as solids."""
 
@@ -50,6 +58,7 @@ class Network(OnDemand):
         result("StringList", "RodKeys", "Hash of the numbers of each rod", hidden=True),
         result("StringList", "RodNames", "Names of the rods in the order of the solids", hidden=True),
         result("FloatList", "RodVolumes", "Volumes of the solids, mm^3", hidden=True),
+        result("FloatList", "RodMeshVolumes", "Volumes of the rods' meshes, mm^3", hidden=True),
     )
 
     def key(self, obj: Any) -> str:
@@ -72,7 +81,8 @@ class Network(OnDemand):
         obj.Rods, obj.RodVolume, obj.MeshVolume = len(value.keys), total, mesh_total
         obj.Difference = 100 * abs(total - mesh_total) / max(mesh_total, 1e-300)
         obj.LargestDifference = 100 * float(differences(value).max(initial=0.0))
-        obj.RodKeys, obj.RodNames, obj.RodVolumes = list(value.keys), list(value.names), value.volumes.tolist()
+        obj.RodKeys, obj.RodNames = list(value.keys), list(value.names)
+        obj.RodVolumes, obj.RodMeshVolumes = value.volumes.tolist(), value.mesh_volumes.tolist()
         obj.Shape = value.compound
         obj.Placement = FreeCAD.Placement()
 
@@ -96,20 +106,20 @@ def wireframe_object(obj: Any) -> Any:
     return obj.Wireframe
 
 
-def kept_rods(obj: Any) -> Dict[str, Tuple[Part.Shape, float]]:
+def kept_rods(obj: Any) -> Dict[str, Kept]:
     """Return the solids that an object shows, with their volumes, by key; also after its file was opened again."""
     shape = obj.Shape.copy(False)
     shape.Placement = FreeCAD.Placement()  # whoever moved the network, new rods stand in the envelope
-    solids, keys, volumes = shape.Solids, obj.RodKeys, obj.RodVolumes
-    if not len(solids) == len(keys) == len(volumes):
+    columns = shape.Solids, obj.RodVolumes, obj.RodMeshVolumes
+    if any(len(column) != len(obj.RodKeys) for column in columns):
         return {}
-    return dict(zip(keys, zip(solids, volumes)))
+    return {key: Kept(*row) for key, row in zip(obj.RodKeys, zip(*columns))}
 
 
 def build(
     wireframe: core.Wireframe,
     parameters: RodParameters,
-    kept: Optional[Dict[str, Tuple[Part.Shape, float]]] = None,
+    kept: Optional[Dict[str, Kept]] = None,
     progress: Progress = silent,
 ) -> Rods:
     """Return the solids of all rods of a wireframe.
@@ -119,7 +129,7 @@ def build(
     wireframe : Wireframe
     parameters : RodParameters
     kept : dict, optional
-        Solids and volumes by key, which are not built again.
+        Rods by key, which are not built again.
     progress : callable
 
     Raises
@@ -129,13 +139,13 @@ def build(
     """
     keys, kept = rod_keys(wireframe, parameters), kept or {}
     missing = [k for k, key in enumerate(keys) if key not in kept]
-    solids: List[Any] = [kept[key][0] if key in kept else None for key in keys]
-    volumes = np.array([kept[key][1] if key in kept else 0.0 for key in keys])
+    rods = [kept.get(key) for key in keys]
     some = core.without(wireframe, np.array(missing, int))
-    for k, solid in zip(missing, rod_solids(some, parameters, progress)):
-        solids[k], volumes[k] = solid, solid.Volume
-    mesh_volumes = true_volumes(wireframe.paths, wireframe.ends)
-    return Rods(tuple(keys), wireframe.names, Part.makeCompound(solids), volumes, mesh_volumes)
+    mesh_volumes = true_volumes(some.paths, some.ends).tolist()
+    for k, solid, mesh_volume in zip(missing, rod_solids(some, parameters, progress), mesh_volumes):
+        rods[k] = Kept(solid, solid.Volume, mesh_volume)
+    solids, volumes, others = zip(*rods) if rods else ((), (), ())
+    return Rods(tuple(keys), wireframe.names, Part.makeCompound(list(solids)), np.array(volumes), np.array(others))
 
 
 class RodFacts(NamedTuple):
