@@ -1,23 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rods as solids: bicubic strips through every section and planar caps. No Boolean and no loft are involved."""
+"""Rods as solids: bicubic strips that follow the paths exactly, and planar caps. No Boolean, no loft, no sewing."""
 
 from __future__ import annotations
 
-from typing import Iterator, List, Tuple
+from functools import lru_cache
+from typing import Iterator, List, Union
 
 import numpy as np
 import Part
 
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
-from ..core.rods import build_rods, true_volumes
-from ..core.wireframe import Wireframe
+from ..core.rods import true_volumes
+from ..core.strips import Strips, rod_strips, ruled, straight
+from ..core.wireframe import Wireframe, without
 from ..errors import KernelError
-from .vectors import vectors
+from .brep_text import BrepText, places, read_brep
 
 VOLUME_TOLERANCE = 1e-3  # relative, of a solid's volume against that of its triangles
-_RING = 16  # points of its rings; they have the exact area of the sections
-_MORE_STATIONS = (9, 17, 33, 65)  # tried where the first number gives another volume
+_MORE = 3  # times that the number of sections is doubled where the volume is another
 
 
 def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progress = silent) -> Iterator[Part.Shape]:
@@ -27,73 +28,149 @@ def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progre
     ----------
     wireframe : Wireframe
     parameters : RodParameters
-        ``stations`` sections are interpolated.
+        Curved rods are laid through ``stations`` sections, or twice, four, eight times as many where the volume asks
+        for it; straight ones need three, or two if they have the same section all along.
     progress : callable
 
     Raises
     ------
     KernelError
-        If a rod is no valid solid of positive volume.
+        If a rod is no valid solid, or its volume is not that of its triangles within ``VOLUME_TOLERANCE``.
+
+    Examples
+    --------
+    >>> from freecad_trabecula.core.presets import preset
+    >>> from freecad_trabecula.geometry.design import make_design
+    >>> design = make_design(preset("case1"))
+    >>> solid = next(rod_solids(design.wireframe, RodParameters()))
+    >>> len(solid.Faces), solid.isValid()
+    (6, True)
     """
     if not len(wireframe):
         return
-    fine = true_volumes(wireframe.paths, wireframe.ends)
-    surfaces = [_surfaces(wireframe, n) for n in (parameters.stations, *_MORE_STATIONS)]
+    expected = true_volumes(wireframe.paths, wireframe.ends)
+    texts = rod_texts(wireframe, _halves(parameters.stations))
     for k, name in enumerate(wireframe.names):
         progress(k, len(wireframe), "solids of rods")
-        for poles, knots in surfaces:
-            solid = _solid(poles[k], knots[k].tolist(), name)
-            if abs(solid.Volume / fine[k] - 1) <= VOLUME_TOLERANCE:
+        solid = read_brep(texts[k])
+        volume = solid.Volume
+        for doubling in range(1, _MORE + 1):
+            if _close(volume, expected[k]):
                 break
-        else:
+            more = _halves(parameters.stations) * 2**doubling
+            solid = read_brep(rod_texts(without(wireframe, np.array([k])), more)[0])
+            volume = solid.Volume
+        if not _close(volume, expected[k]):
             raise KernelError(
-                f"a rod's solid must have its mesh's volume within {VOLUME_TOLERANCE:g}, got {solid.Volume:g} and "
-                f"{fine[k]:g} mm3 for rod {name}"
+                f"a rod's solid must have its mesh's volume within {VOLUME_TOLERANCE:g}, got {volume:g} and "
+                f"{expected[k]:g} mm3 for rod {name}"
             )
-        yield solid
+        if not solid.isValid():
+            raise KernelError(f"a rod must be a valid solid, got one that is not for rod {name}")
+        yield solid.Solids[0]
 
 
-def _surfaces(wireframe: Wireframe, stations: int) -> Tuple[np.ndarray, np.ndarray]:
-    """B-spline poles (R, 2K - 2 + 2, M, 4, 3) of the strips and their knots (R, K) along the rods.
+def _halves(stations: int) -> int:
+    """Patches along each of a path's two pieces that make at least so many sections."""
+    return max(1, stations // 2)
 
-    Natural cubic splines through the poles of the sections, over the share of the arc length.
+
+def _close(volume: float, expected: float) -> bool:
+    return abs(volume - expected) <= VOLUME_TOLERANCE * expected
+
+
+# ------------------------------------------------------------------------------------------------------ as BREP text
+
+
+def rod_texts(wireframe: Wireframe, halves: int, beyond: Union[float, np.ndarray] = 0.0) -> List[str]:
+    """Return each rod's solid as BREP text.
+
+    Parameters
+    ----------
+    wireframe : Wireframe
+    halves : int
+        Patches along each of a path's two pieces; straight rods have one, or one in all if their section stays.
+    beyond : float or ndarray (R, 2), mm
+        Prolongs the rods by that distance, measured across their end planes.
     """
-    rods = build_rods(wireframe.paths, wireframe.ends, stations, _RING, to_bends=True)
-    p = rods.stations.centres[:, :, None, None] + np.einsum("rkmpc,rkcx->rkmpx", rods.poles, rods.frames[:, :, :2])
-    knots = rods.stations.shares
-    h = np.diff(knots, axis=1)
-    slopes = np.diff(p, axis=1) / h[:, :, None, None, None]
-    system, right = np.zeros((len(p), stations, stations)), np.zeros_like(p)
-    at, wide = np.arange(stations), lambda a: a[:, :, None, None, None]
-    system[:, at, at] = 2.0 * (np.pad(h, ((0, 0), (1, 0))) + np.pad(h, ((0, 0), (0, 1))))
-    system[:, at[1:-1], at[:-2]], system[:, at[1:-1], at[2:]] = h[:, 1:], h[:, :-1]
-    system[:, 0, 1], system[:, -1, -2] = h[:, 0], h[:, -1]
-    right[:, 1:-1] = 3 * (wide(h[:, 1:]) * slopes[:, :-1] + wide(h[:, :-1]) * slopes[:, 1:])
-    right[:, 0], right[:, -1] = (
-        3 * (h[:, 0, None, None, None] * slopes[:, 0]),
-        3 * (h[:, -1, None, None, None] * slopes[:, -1]),
-    )
-    d = np.linalg.solve(system, right.reshape(len(p), stations, -1)).reshape(p.shape)
-    after, before = p[:, :-1] + d[:, :-1] * wide(h) / 3, p[:, 1:] - d[:, 1:] * wide(h) / 3
-    inner = np.stack([after, before], 2).reshape(len(p), -1, *p.shape[2:])
-    return np.concatenate([p[:, :1], inner, p[:, -1:]], 1), knots
+    texts: List[str] = [""] * len(wireframe)
+    unbent = straight(wireframe.paths)
+    beyond = np.broadcast_to(beyond, (len(wireframe), 2))
+    for kind, patches in ((unbent, 1), (~unbent, halves)):
+        which = np.nonzero(kind)[0]
+        if not len(which):
+            continue
+        some = without(wireframe, which)
+        strips = rod_strips(some.paths, some.ends, patches, beyond[which])
+        even = ruled(strips)
+        for degree, part in ((1, even), (3, ~even)):
+            if part.any():
+                for k, text in zip(which[part], strip_texts(strips.take(part), degree)):
+                    texts[k] = text
+    return texts
 
 
-def _solid(rows: np.ndarray, knots: List[float], name: str) -> Part.Shape:
-    multiplicities = [4] + [2] * (len(knots) - 2) + [4]
-    faces, wires = [], ([], [])
-    for strip in range(rows.shape[1]):
-        surface = Part.BSplineSurface()
-        poles = [vectors(column) for column in rows[:, strip].transpose(1, 0, 2)]
-        surface.buildFromPolesMultsKnots(poles, [4, 4], multiplicities, [0.0, 1.0], knots, False, False, 3, 3)
-        faces.append(surface.toShape())
-        for wire, end in zip(wires, (knots[0], knots[-1])):
-            wire.append(surface.vIso(end).toShape())
-    shell = Part.makeShell(faces + [Part.Face(Part.Wire(w)) for w in wires])
-    shell.sewShape()
-    solid = Part.Solid(shell if shell.ShapeType == "Shell" else shell.Shells[0])
-    if solid.Volume < 0:
-        solid.reverse()
-    if not solid.isValid() or not solid.Volume > 0:
-        raise KernelError(f"a rod must be a valid solid of positive volume, got {solid.Volume:g} mm3 for rod {name}")
-    return solid
+def strip_texts(strips: Strips, degree: int = 3) -> List[str]:
+    """Return each rod's solid as BREP text; ``degree`` 1 is for ruled rods."""
+    count, corners, spans = strips.patches.shape[:3]
+    poles, knots = _spline_poles(strips.patches), strips.knots
+    if degree == 1:
+        poles, knots = poles[:, :, :, [0, -1]], knots[:, [0, -1]]
+    template = _template(corners, knots.shape[1], degree)
+    rings = poles[:, :, :, [0, -1]].transpose(0, 3, 1, 2, 4)  # (R, 2, M, 4, 3)
+    beside = np.repeat(knots[:, None], corners, 1)
+    each = [
+        rings.reshape(count, -1),
+        np.concatenate([poles[:, :, 0].reshape(count, corners, -1), beside], 2).reshape(count, -1),
+        np.concatenate([poles.reshape(count, corners, -1), beside], 2).reshape(count, -1),
+        strips.caps.reshape(count, -1),
+        rings[:, :, :, 0].reshape(count, -1),
+    ]
+    return [template % tuple(row) for row in np.concatenate(each, 1).tolist()]
+
+
+def _spline_poles(patches: np.ndarray) -> np.ndarray:
+    """Poles (R, M, 4, 2K, 3) of C1 cubic B-splines from patches (R, M, S, 4, 4, 3), less those at joints."""
+    inner = np.moveaxis(patches[:, :, :, :, 1:3], 2, 3)
+    inner = inner.reshape(*inner.shape[:3], -1, 3)
+    return np.concatenate([patches[:, :, 0, :, :1], inner, patches[:, :, -1, :, 3:]], 3)
+
+
+@lru_cache(maxsize=64)
+def _template(corners: int, knots: int, degree: int) -> str:
+    """Text of a rod with places for: end rings, long edges with knots, strips with knots, caps, vertices."""
+    text = BrepText()
+    rows = 3 * (knots if degree == 1 else 2 * knots)
+    sides = [
+        text.add_line_2d(*line) for line in (((0, 0), (1, 0)), ((0, 1), (1, 0)), ((0, 0), (0, 1)), ((1, 0), (0, 1)))
+    ]
+    rings = [[text.add_spline(places(12), (0, 1)) for _ in range(corners)] for _ in range(2)]
+    along = [text.add_spline(places(rows), places(knots), degree) for _ in range(corners)]
+    strips = [text.add_strip(places(4 * rows), places(knots), degree) for _ in range(corners)]
+    caps = [text.add_plane(*[places(3)] * 4) for _ in range(2)]
+    vertices = [[text.add_vertex(places(3)) for _ in range(corners)] for _ in range(2)]
+
+    def after(k: int) -> int:
+        return (k + 1) % corners
+
+    around = [
+        [
+            text.add_edge(rings[end][k], (0, 1), [(sides[end], strips[k])], (vertices[end][k], vertices[end][after(k)]))
+            for k in range(corners)
+        ]
+        for end in range(2)
+    ]
+    long = [
+        text.add_edge(
+            along[k], (0, 1), [(sides[2], strips[k]), (sides[3], strips[k - 1])], (vertices[0][k], vertices[1][k])
+        )
+        for k in range(corners)
+    ]
+    faces = []
+    for k in range(corners):
+        border = [(around[0][k], False), (long[after(k)], False), (around[1][k], True), (long[k], True)]
+        faces.append((text.add_face(strips[k], [text.add_wire(border)]), False))
+    for end in range(2):
+        wire = text.add_wire((edge, False) for edge in around[end])
+        faces.append((text.add_face(caps[end], [wire]), end == 0))
+    return text.text(text.add_solid([faces]))
