@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
+import Part
 
 from ..core import wireframe as core
 from ..core.history import History, Mended
@@ -13,8 +14,9 @@ from ..core.parameters import LARGEST_SEED, Coupling, PathParameters, PoreParame
 from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
 from ..errors import EnvelopeError, ExportError, ParameterError
-from ..geometry.design import SitedFace, design_wireframe, pore_warnings, wires_shape
+from ..geometry.design import SitedFace, design_wireframe, pore_warnings
 from ..geometry.envelopes import Envelope
+from ..geometry.wires import wireframe_shape
 from . import results
 from .base import lines_of, read_parameters, records_of
 from .envelope import envelope_of, mark_of
@@ -137,14 +139,15 @@ class Wireframe(Keyed):
     def show(self, obj: Any, value: Mended) -> None:
         """Show paths and end sections, and what is known of them."""
         wireframe = value.wireframe
-        shape, warnings = wires_shape(wireframe), pore_warnings(wireframe, self.inputs(obj).faces)
+        pores, paths, _ = wireframe_shape(wireframe).childShapes()
+        warnings = pore_warnings(wireframe, self.inputs(obj).faces)
         obj.Structure, obj.Numbers = to_numbers(value)
         obj.Rods = len(wireframe)
         obj.CouplingTable = lines_of(wireframe.rows)
         obj.Recoveries = lines_of(wireframe.recoveries)
         obj.Failed, obj.Outside, obj.Warnings = list(wireframe.failed), list(wireframe.outside), warnings
         obj.PoreSizes, obj.PoreAreas = sections(wireframe)
-        obj.Shape = shape
+        obj.Shape = Part.makeCompound([paths, pores])  # two edges a rod, in their order; then the pores
 
     def said(self, obj: Any) -> str:
         """Return what a user should know, in one line."""

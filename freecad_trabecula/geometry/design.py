@@ -221,16 +221,3 @@ def sites_shape(faces: Dict[str, SitedFace]) -> Part.Shape:
     """Return the sites of faces as one compound of vertices."""
     points = [point for one in faces.values() for point in vectors(one.sites.points)]
     return Part.makeCompound([Part.Vertex(point) for point in points])
-
-
-def wires_shape(wireframe: Wireframe) -> Part.Shape:
-    """Return the paths of a wireframe."""
-    wires = []
-    for path in wireframe.paths:
-        edges = []
-        for piece in path:
-            curve = Part.BezierCurve()
-            curve.setPoles(vectors(piece))
-            edges.append(curve.toShape())
-        wires.append(Part.Wire(edges))
-    return Part.makeCompound(wires)
