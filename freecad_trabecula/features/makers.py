@@ -38,11 +38,13 @@ def all_or_nothing(document: FreeCAD.Document) -> Iterator[None]:
         raise
 
 
-def add(document: FreeCAD.Document, cls: type, name: str, kind: str = "Part::FeaturePython") -> Any:
-    """Add an object of one of our classes; it is not computed yet."""
+def add(document: FreeCAD.Document, cls: type, name: str, kind: str = "Part::FeaturePython", **properties: Any) -> Any:
+    """Add an object of one of our classes with some properties set; it is not computed yet."""
     obj = document.addObject(kind, name)
     cls(obj)
-    attach_view(obj)
+    for key, value in properties.items():
+        setattr(obj, key, value)
+    attach_view(obj)  # its look may depend on them
     return obj
 
 
@@ -99,8 +101,7 @@ def make_prism_sites(box: Any, prism: Optional[PrismParameters] = None) -> Any:
     150
     """
     with all_or_nothing(box.Document):
-        sites = add(box.Document, PrismSites, "Sites")
-        sites.Box = box
+        sites = add(box.Document, PrismSites, "Sites", Box=box)
         write_parameters(sites, prism or PrismParameters())
         update(sites)
     return sites
@@ -197,8 +198,7 @@ def make_wireframe(
     """
     document = envelope.Document
     with all_or_nothing(document):
-        wireframe = add(document, Wireframe, "Wireframe")
-        wireframe.Envelope, wireframe.Sites = envelope, list(sites)
+        wireframe = add(document, Wireframe, "Wireframe", Envelope=envelope, Sites=list(sites))
         set_wireframe_parameters(wireframe, parameters)
         update(wireframe, progress)
     return wireframe
@@ -238,8 +238,7 @@ def make_network(wireframe: Any, progress: Progress = silent) -> Any:
     """
     document = wireframe.Document
     with all_or_nothing(document):
-        network = add(document, Network, "Network")
-        network.Wireframe = wireframe
+        network = add(document, Network, "Network", Wireframe=wireframe)
         update(network, progress)
     return network
 
@@ -272,14 +271,11 @@ def make_scaffold(wireframe: Any, parameters: Optional[ScaffoldParameters] = Non
     """
     document = wireframe.Document
     with all_or_nothing(document):
-        scaffold = add(document, Scaffold, "Scaffold", "Mesh::FeaturePython")
-        scaffold.Wireframe = wireframe
+        scaffold = add(document, Scaffold, "Scaffold", "Mesh::FeaturePython", Wireframe=wireframe)
         write_parameters(scaffold, parameters or ScaffoldParameters())
         update(scaffold, progress)
         for role in ROLES:
-            body = add(document, Body, role.capitalize(), "Mesh::FeaturePython")
-            body.Scaffold, body.Role = scaffold, role
-            update(body)
+            update(add(document, Body, role.capitalize(), "Mesh::FeaturePython", Scaffold=scaffold, Role=role))
     return scaffold
 
 
