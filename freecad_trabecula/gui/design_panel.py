@@ -22,7 +22,7 @@ from .outcome import Outcome
 from .picking import FacePicker
 from .preview import Preview
 from .preview_worker import Estimate, Outline, PreviewWorker, Request
-from .qt import Buttons, flags_of, icon, invoke_later, widen_dock
+from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
 from .transactions import told
 from .transparency import ClearView
 from .view_providers import products_of
@@ -82,9 +82,7 @@ class DesignPanel:
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
-        form = QtGui.QWidget()
-        form.setWindowTitle(translate("Trabecula", "Design rods"))
-        form.setWindowIcon(icon("Trabecula_design"))
+        form = PanelForm(translate("Trabecula", "Design rods"), "Trabecula_design")
         column = QtGui.QVBoxLayout(form)
         column.setContentsMargins(6, 4, 6, 4)
         column.setSpacing(4)
@@ -304,10 +302,10 @@ class DesignPanel:
 
     def _built(self) -> None:
         self._building = None
-        document = self.document
+        name = self.document.Name  # not the document: it may be closed by then
         self._leave()
         FreeCADGui.Control.closeDialog()
-        invoke_later(lambda: panels.open_results(document.Name))
+        invoke_later(lambda: panels.open_results(name))
 
     def _not_built(self, error: TrabeculaError) -> None:
         self._building = None

@@ -58,6 +58,22 @@ def is_alive(widget: Any) -> bool:
     return True
 
 
+class PanelForm(QtGui.QWidget):
+    """A task panel's form: Return ends the typing of a value, it does not press OK."""
+
+    def __init__(self, title: str, picture: str) -> None:
+        super().__init__()
+        self.setWindowTitle(title)
+        self.setWindowIcon(icon(picture))
+
+    def keyPressEvent(self, event: Any) -> None:
+        """Keep Return from FreeCAD's task view."""
+        if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+
 def quantity_box() -> Any:
     """Return FreeCAD's spin box for lengths: it takes units and formulas, and the decimal sign of the locale."""
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
@@ -98,12 +114,10 @@ def invoke_later(function: Any, milliseconds: int = 0) -> None:
 
 def widen_dock(widget: Any, width: int) -> None:
     """Make the dock that holds a widget at least as wide as the widget needs; FreeCAD's own default is too narrow."""
-    dock = widget.parent()
-    while dock is not None and not isinstance(dock, QtGui.QDockWidget):
-        dock = dock.parent()
     window = FreeCADGui.getMainWindow()
-    if dock is None or dock.width() >= width:
-        return
-    if window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea:  # FreeCAD 1.x lays docks over the 3D view
-        return
-    window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+    # never by widget.parent(): PySide2 takes the widget for deleted when the parents' wrappers are collected
+    docks = [dock for dock in window.findChildren(QtGui.QDockWidget) if dock.isAncestorOf(widget)]
+    # FreeCAD 1.x may lay docks over the 3D view: those belong to no area
+    docks = [dock for dock in docks if window.dockWidgetArea(dock) != QtCore.Qt.NoDockWidgetArea]
+    if docks and docks[0].width() < width:
+        window.resizeDocks(docks[:1], [width], QtCore.Qt.Horizontal)

@@ -18,7 +18,7 @@ from .export_dialog import export_design
 from .figures import Checked, checks_of, figures_of, headline, notes_of
 from .histogram import Histogram
 from .outcome import GREEN, ORANGE, RED
-from .qt import Buttons, flags_of, icon, invoke_later, widen_dock
+from .qt import Buttons, PanelForm, flags_of, icon, invoke_later, widen_dock
 from .transactions import told
 from .view_providers import look_of, parts_of, products_of
 
@@ -46,9 +46,7 @@ class ResultsPanel:
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
-        form = QtGui.QWidget()
-        form.setWindowTitle(translate("Trabecula", "Results"))
-        form.setWindowIcon(icon("Trabecula_results"))
+        form = PanelForm(translate("Trabecula", "Results"), "Trabecula_results")
         self.sections = Accordion()
         for title, picture, page in (
             (translate("Trabecula", "Figures"), "results", self.figures),

@@ -14,7 +14,7 @@ from ..core.wireframe import Wireframe
 from .edits_list import EditsList
 from .fields import ChoiceField, NumberField, PointField
 from .pore_drawing import PoreDrawing
-from .qt import Buttons, flags_of, icon, invoke_later, widen_dock
+from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
 from .rod_dock import computed_wireframe
 from .transactions import record, say, told, transaction
 from .view_providers import type_of, wireframe_of
@@ -63,9 +63,7 @@ class SitePanel:
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
-        form = QtGui.QWidget()
-        form.setWindowTitle(translate("Trabecula", "Edit site and pore"))
-        form.setWindowIcon(icon("Trabecula_edit_pore"))
+        form = PanelForm(translate("Trabecula", "Edit site and pore"), "Trabecula_edit_pore")
         grid = QtGui.QFormLayout(form)
         grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         grid.addRow(translate("Trabecula", "Site"), self.site.widget)

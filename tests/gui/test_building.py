@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Building in another process: progress, cancel, one step to undo, results, editing what was built."""
+
+import time
+
+import FreeCAD
+import FreeCADGui
+from window import Heartbeat, WindowTest, settle, wait
+
+from freecad_trabecula.core.parameters import Coupling
+from freecad_trabecula.features import results
+from freecad_trabecula.gui import panels
+from freecad_trabecula.gui.commands import switch_view
+from freecad_trabecula.gui.figures import checks_of
+from freecad_trabecula.gui.results_panel import ResultsPanel
+
+
+def tick(panel, *kinds):
+    """Choose the bodies to be built."""
+    for kind, box in panel.build_bar.boxes.items():
+        box.setChecked(kind in kinds)
+
+
+class BuildTest(WindowTest):
+    def setUp(self):
+        super().setUp()
+        results.clear()
+
+    def test_cancel_in_the_middle_answers_at_once_and_changes_nothing(self):
+        panel = self.open_preset("case6")
+        tick(panel, "network", "scaffold")
+        panel.build()
+        self.assertTrue(wait(lambda: panel.build_bar.bar.value() > 0, 60), "no progress was reported")
+        self.assertTrue(panel.build_bar.what.text())
+        started = time.monotonic()
+        panel.build_bar.cancel_button.click()
+        self.assertLess(time.monotonic() - started, 1.0)
+        self.assertIsNone(panel._building)
+        self.assertEqual((self.names(), self.document.UndoNames), ([], []))
+        self.assertTrue(panel.fields.sections.isEnabled())
+        settle(2.0)
+        self.assertEqual(self.names(), [])
+
+    def test_closing_the_document_while_it_is_built_ends_the_work(self):
+        panel = self.open_preset("case1")
+        panel.build()
+        settle(0.5)
+        FreeCAD.closeDocument(self.document.Name)
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 5))
+        self.assertIsNone(panel._building)
+
+    def test_built_bodies_come_in_one_step_and_the_results_open(self):
+        panel = self.open_preset("case1")
+        tick(panel, "network", "scaffold")
+        with Heartbeat() as heart:
+            self.build(panel)
+        self.assertEqual(self.document.UndoNames, ["Design rods"])
+        self.assertIn("Network", self.names())
+        self.assertIn("Scaffold", self.names())
+        self.assertTrue(wait(lambda: isinstance(panels.current(), ResultsPanel), 5))
+        report = panels.current()
+        self.assertIn("75 rods, porosity", report.headline.text())
+        self.assertTrue(all(check.ok for check in checks_of(self.wireframe())), checks_of(self.wireframe()))
+        self.assertGreater(report.figures.rowCount(), 10)
+        self.assertLess(heart.longest, 2.0)
+        report.reject()
+        self.document.undo()
+        self.assertEqual(self.names(), [])
+        self.document.redo()
+        self.assertEqual(self.document.getObject("Network").Rods, 75)
+
+    def test_a_double_click_opens_the_panel_with_the_values_and_a_change_is_built(self):
+        panel = self.open_preset("case1")
+        tick(panel, "network")
+        self.build(panel)
+        panels.current().reject()
+        wireframe = self.wireframe()
+        self.assertTrue(wireframe.ViewObject.Proxy.doubleClicked(wireframe.ViewObject))
+        self.assertTrue(wait(FreeCADGui.Control.activeDialog, 5))
+        panel = panels.current()
+        self.assertEqual(panel.fields.job().wireframe, wireframe.Proxy.parameters(wireframe))
+        self.wait_for_estimate(panel)
+        self.change(panel, lambda: panel.fields.seed.set_value(5))
+        panel.accept()
+        self.assertTrue(wait(lambda: not panel._open, 120))
+        settle(0.5)
+        self.assertEqual(wireframe.Seed, 5)
+        self.assertTrue(self.document.getObject("Network").UpToDate)
+        self.assertEqual(len(self.document.UndoNames), 2)
+        self.document.undo()
+        self.assertEqual(wireframe.Seed, 1)
+
+    def test_a_double_click_on_a_body_opens_the_results(self):
+        panel = self.open_preset("case1")
+        tick(panel, "network")
+        self.build(panel)
+        panels.current().reject()
+        view = self.document.getObject("Network").ViewObject
+        view.Proxy.doubleClicked(view)
+        self.assertTrue(wait(lambda: isinstance(panels.current(), ResultsPanel), 5))
+
+    def test_rods_and_channels_are_switched(self):
+        panel = self.open_preset("case1")
+        tick(panel, "network", "scaffold")
+        self.build(panel)
+        panels.current().reject()
+        channels = next(obj for obj in self.document.Objects if getattr(obj, "Role", "") == "channels")
+        network = self.document.getObject("Network")
+        for expected in (True, False):
+            switch_view(self.wireframe())
+            self.assertEqual(channels.ViewObject.Visibility, expected)
+            self.assertEqual(network.ViewObject.Visibility, not expected)
+
+    def test_a_work_that_fails_tells_its_sentence_and_changes_nothing(self):
+        panel = self.open_preset("case1")
+        # the preview is not asked: the child process must refuse
+        panel.fields.couplings._couplings = [Coupling("Face1", "Face1")]
+        panel.build()
+        self.assertTrue(wait(lambda: self.dialogs, 60))
+        self.assertIn("coupled with itself", self.dialogs[0])
+        self.assertEqual(self.names(), [])
+        self.assertTrue(panel.fields.sections.isEnabled())

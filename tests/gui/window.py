@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the window's tests share: waiting with the event loop running, keys and clicks, a clean end of each test."""
+
+import time
+import unittest
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+WORKBENCH = "TrabeculaWorkbench"
+
+
+def wait(condition=lambda: False, seconds=30.0):
+    """Run the event loop until a condition holds or the time is over; return whether it held."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents()
+        if condition():
+            return True
+        time.sleep(0.005)
+    return False
+
+
+def settle(seconds=0.3):
+    """Run the event loop for a while."""
+    wait(seconds=seconds)
+
+
+def press(widget, key, text=""):
+    """Press and release a key on a widget."""
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtGui.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text))
+
+
+def type_into(box, text):
+    """Type a text into a spin box in place of what it holds, and press Return."""
+    line = box.findChild(QtGui.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    for letter in text:
+        press(line, 0, letter)
+    press(line, QtCore.Qt.Key_Return)
+
+
+class Heartbeat:
+    """Measures for how long the window's thread did not answer."""
+
+    def __init__(self):
+        self.longest = 0.0
+        self._last = 0.0
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._beat)
+
+    def _beat(self):
+        now = time.perf_counter()
+        self.longest = max(self.longest, now - self._last)
+        self._last = now
+
+    def __enter__(self):
+        self._last = time.perf_counter()
+        self._timer.start(5)
+        return self
+
+    def __exit__(self, *_):
+        self._timer.stop()
+
+
+class WindowTest(unittest.TestCase):
+    """A test in the window: starts in our workbench with a new document, ends with none and no panel."""
+
+    def setUp(self):
+        from freecad_trabecula.gui import transactions
+
+        FreeCADGui.activateWorkbench(WORKBENCH)
+        self.dialogs = []
+        self._show_error = transactions.show_error
+        transactions.show_error = self.dialogs.append
+        self.document = FreeCAD.newDocument("Window")
+        settle(0.1)
+
+    def tearDown(self):
+        from freecad_trabecula.gui import panels, transactions
+
+        transactions.show_error = self._show_error
+        if FreeCADGui.Control.activeDialog():
+            panel = panels.current()
+            panel.reject()
+        FreeCADGui.Selection.clearSelection()
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+        settle(0.1)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def open_preset(self, name="case1"):
+        """Open the design panel with a preset and return it once the porosity is estimated."""
+        from freecad_trabecula.gui import panels
+
+        FreeCADGui.runCommand("Trabecula_Preset_" + name)
+        panel = panels.current()
+        self.wait_for_estimate(panel)
+        return panel
+
+    def wait_for_estimate(self, panel, seconds=60.0):
+        """Wait until the panel shows a porosity of its present values."""
+        self.assertTrue(wait(lambda: "≈" in panel.outcome.headline.text(), seconds), "no estimate")
+
+    def change(self, panel, action):
+        """Change a value and wait for the new porosity; return the seconds that it took."""
+        panel.outcome.headline.setText("")
+        started = time.monotonic()
+        action()
+        self.wait_for_estimate(panel)
+        return time.monotonic() - started
+
+    def build(self, panel, seconds=240.0):
+        """Build and wait for the end."""
+        panel.build()
+        self.assertTrue(wait(lambda: not panel._open, seconds), f"not built in {seconds:g} s; dialogs: {self.dialogs}")
+        settle(0.5)
+        self.assertEqual(self.dialogs, [])
+
+    def names(self):
+        """Return the names of the document's objects."""
+        return [obj.Name for obj in self.document.Objects]
+
+    def wireframe(self):
+        """Return the document's wireframe."""
+        return next(obj for obj in self.document.Objects if obj.Name.startswith("Wireframe"))
