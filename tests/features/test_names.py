@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Names of classes and properties are a file format: what is listed here is in users' files and expressions.
+
+A name may be added. One that is changed or taken away needs a migration (``Feature.MIGRATIONS``) that also rewrites
+expressions, and a file of the version before in tests/data that a test opens.
+"""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parent))
+from document_case import NO_BOOLEANS, DocumentCase, small_job
+
+from freecad_trabecula import make
+from freecad_trabecula.core.booleans import manifold_available
+from freecad_trabecula.core.parameters import FaceParameters
+
+#: Type: module and class of the proxy, FreeCAD's type, names of properties.
+NAMES = {
+    "Trabecula::PrismSites": (
+        "freecad_trabecula.features.prism_sites.PrismSites",
+        "Part::FeaturePython",
+        "BorderX BorderY BorderZ Box Count SchemaVersion SitesX SitesY SitesZ Status",
+    ),
+    "Trabecula::FaceSites": (
+        "freecad_trabecula.features.face_sites.FaceSites",
+        "Part::FeaturePython",
+        "BorderU BorderV Count DirectionU DirectionV Face FaceName Origin OriginGiven ResultKey SchemaVersion "
+        "SpacingU SpacingV Status",
+    ),
+    "Trabecula::Wireframe": (
+        "freecad_trabecula.features.wireframe.Wireframe",
+        "Part::FeaturePython",
+        "CouplingTable Couplings Edits Envelope Failed Numbers Outside PathBox PathChoice PathKind PathPoints "
+        "PathTensionFirstDirection PathTensionFirstExpression PathTensionFirstHigh PathTensionFirstLaw "
+        "PathTensionFirstLow PathTensionSecondDirection PathTensionSecondExpression PathTensionSecondHigh "
+        "PathTensionSecondLaw PathTensionSecondLow PoreAreas PoreCorners PoreLayout PorePullDirection "
+        "PorePullExpression PorePullHigh PorePullLaw PorePullLow PoreScatter PoreSections PoreSizeDirection "
+        "PoreSizeExpression PoreSizeHigh PoreSizeLaw PoreSizeLow PoreSizes PoreTurnDirection "
+        "PoreTurnExpression PoreTurnHigh PoreTurnLaw PoreTurnLow Recoveries ResultKey RodDeflection RodLean "
+        "RodRedraws RodStations Rods SchemaVersion Seed Sites Status Structure Warnings",
+    ),
+    "Trabecula::Network": (
+        "freecad_trabecula.features.network.Network",
+        "Part::FeaturePython",
+        "AutoUpdate Difference LargestDifference MeshVolume Rebuilt ResultKey RodKeys RodMeshVolumes RodNames "
+        "RodVolume RodVolumes Rods SchemaVersion Status UpToDate Wireframe",
+    ),
+    "Trabecula::Scaffold": (
+        "freecad_trabecula.features.scaffold.Scaffold",
+        "Mesh::FeaturePython",
+        "AddedVolume AutoUpdate Cell ChannelVolume Checks Engine EngineUsed EnvelopeVolume KeepLoose "
+        "LayerClosed LayerFaces LayerSide LayerThickness LoosePieces LooseVolume MemoryBudget Notes Openings "
+        "Pieces Porosity Reason ResultKey ScaffoldVolume SchemaVersion Seconds Status SumPorosity TimeBudget "
+        "UnionPorosity UpToDate VoidVolume Voids Watertight Wireframe",
+    ),
+    "Trabecula::Body": (
+        "freecad_trabecula.features.scaffold.Body",
+        "Mesh::FeaturePython",
+        "Facets ResultKey Role Scaffold SchemaVersion Status",
+    ),
+}
+
+
+@unittest.skipUnless(manifold_available(), NO_BOOLEANS)
+class NamesTest(DocumentCase):
+    def test_all_names_that_files_hold_are_still_there(self):
+        design = make.make_design(self.document, small_job(), ("network", "scaffold"))
+        faces = make.make_face_sites(design.envelope, FaceParameters("Face1"))
+        bodies = make.body_objects(design.scaffold)
+        objects = (*design.sites, faces, design.wireframe, design.network, design.scaffold, bodies[0])
+        self.assertEqual({obj.Proxy.Type for obj in objects}, set(NAMES))
+        for obj in objects:
+            with self.subTest(type=obj.Proxy.Type):
+                proxy, type_id, names = NAMES[obj.Proxy.Type]
+                self.assertEqual(f"{type(obj.Proxy).__module__}.{type(obj.Proxy).__name__}", proxy)
+                self.assertEqual(obj.TypeId, type_id)
+                self.assertEqual(set(names.split()) - set(obj.PropertiesList), set())
+
+    def test_roles_of_bodies_are_a_part_of_the_format(self):
+        design = make.make_design(self.document, small_job(), ("scaffold",))
+        body = make.body_objects(design.scaffold)[0]
+        self.assertEqual(body.getEnumerationsOfProperty("Role"), ["channels", "loose", "voids"])
