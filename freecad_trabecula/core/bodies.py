@@ -76,7 +76,7 @@ class Bodies:
     parts : Parts
         Scaffold, channels, loose pieces, voids, as meshes and volumes.
     kept : bool
-        True if loose pieces and voids are part of the export.
+        True if loose pieces are part of the export.
     union_volume : float, mm³
         Of all that the rods fill of the envelope, voids included, before anything is taken away or filled.
     rods_volume : float, mm³
@@ -209,7 +209,8 @@ def scaffold_bodies(
     progress(0.85, 1.0, "pieces")
     found = [pieces(cut.pop(0)) for _ in range(2)]  # of millions of triangles only one copy
     union = float(sum(hole.volume for hole in found[1].found))
-    parts = separate(*found, parameters.keep_loose)
+    # closed layers are there to close: what they seal off is what was asked for
+    parts = separate(*found, parameters.keep_loose, parameters.keep_loose or bool(layered.closed_by))
     progress(0.9, 1.0, "volumes by rays")
     rays = _ray_volume(rod_vertices, rod_triangles, layered, chosen.engine)
     progress(0.95, 1.0, "checks")
@@ -312,12 +313,13 @@ def _checked(bodies: Bodies, rays: RayVolume) -> Bodies:
     checks.append(
         _volume_check("scaffold in double and in single precision, mm3", parts.scaffold_volume, in_file, whole, BALANCE)
     )
-    return replace(bodies, checks=tuple(checks), notes=bodies.notes + tuple(_notes(bodies)))
+    bodies = replace(bodies, checks=tuple(checks))
+    return replace(bodies, notes=bodies.notes + tuple(_notes(bodies)))
 
 
 def _notes(bodies: Bodies) -> Iterator[str]:
     parts, whole = bodies.parts, bodies.body_volume
-    did = ("kept", "kept") if bodies.kept else ("taken away", "filled")
+    did = "kept" if bodies.kept else "taken away", "filled" if parts.filled else "kept"
     if parts.loose:
         yield (
             f"{_counted(len(parts.loose), 'loose piece')}, cut off all round, {bodies.loose_volume:.4g} mm3 together, "
@@ -334,6 +336,8 @@ def _notes(bodies: Bodies) -> Iterator[str]:
             yield f"closed voids are {share}: many channels have no way out"
     if parts.slivers:
         yield f"{_counted(parts.slivers, 'shell')} below {SLIVER:g} mm3 left out"
+    if bodies.engine == "field" and not bodies.ok:
+        yield "the cells of the field engine are too coarse for these rods: make them smaller, or take the mesh engine"
 
 
 def _counted(count: int, what: str) -> str:

@@ -15,8 +15,9 @@ import numpy as np
 
 from ..errors import DependencyError, MeshError
 from .booleans import combine
-from .meshes import Mesh, directed_edges, mesh_volume
+from .meshes import Mesh, directed_edges, join, mesh_volume
 from .parameters import Coupling, LayerParameters
+from .pieces import pieces
 from .wireframe import Wireframe
 
 _REACHES = (0.5, 0.75, 1.0, 1.5, 2.0, 3.0)  # thicknesses over which normals are smoothed, one after the other
@@ -280,9 +281,19 @@ def layered_body(envelope: Mesh, patches: Sequence[Patch], layers: LayerParamete
             raise MeshError(f"layers inwards must leave a part of the envelope, but {t:g} mm take all of it")
         return LayeredBody(envelope, solids, 0.0, note)
     plugs = [thicken(p, _HAIR * t, t, tuck=_HAIR * t) for p in patches]
-    body = combine([envelope, *plugs], "union")
+    body = _without_gaps(combine([envelope, *plugs], "union"), envelope)
     solids = tuple(thicken(p, 0.0, t) for p in patches) if layers.closed else ()
     return LayeredBody(body, solids, mesh_volume(body) - mesh_volume(envelope), note)
+
+
+def _without_gaps(body: Mesh, envelope: Mesh) -> Mesh:
+    """The body less the cavities that the envelope does not have: a face and its layer are triangulated differently."""
+    own = [mesh_volume(c) for piece in pieces(envelope).found for c in piece.cavities]
+    kept = []
+    for piece in pieces(body).found:
+        kept.append(piece.shell)
+        kept += [c for c in piece.cavities if np.isclose(mesh_volume(c), own, rtol=1e-6, atol=0).any()]
+    return join(kept)
 
 
 def reaches(wireframe: Wireframe, couplings: Sequence[Coupling], layers: LayerParameters, beyond: float) -> np.ndarray:

@@ -68,6 +68,8 @@ class Parts:
         Shells below ``SLIVER``, left out of all the above.
     cavities, matched : int
         Cavities of both bodies, and how many of them have the volume of a shell of the other body: they must all.
+    filled : bool
+        True if the voids are filled in the exported scaffold.
     """
 
     scaffold: Mesh
@@ -83,6 +85,7 @@ class Parts:
     slivers: int
     cavities: int
     matched: int
+    filled: bool = False
 
 
 class Pieces(NamedTuple):
@@ -178,16 +181,17 @@ def inner_point(mesh: Mesh) -> np.ndarray:
     raise MeshError(f"a closed mesh must hold some volume, got {mesh_volume(mesh):g} mm3")
 
 
-def separate(outside: Pieces, inside: Pieces, keep: bool) -> Parts:
+def separate(outside: Pieces, inside: Pieces, keep_loose: bool, keep_voids: bool) -> Parts:
     """Return what the two halves of a cut envelope consist of.
 
     Parameters
     ----------
     outside, inside : Pieces
         Of the envelope's parts outside and inside the rods.
-    keep : bool
-        True: everything is exported as it is. False: loose pieces are taken away and voids filled, since neither can be
-        printed (a void keeps its powder).
+    keep_loose : bool
+        False: loose pieces are taken away, since they cannot be printed.
+    keep_voids : bool
+        False: voids are filled with all that hangs in them, since they keep their powder.
 
     Raises
     ------
@@ -199,11 +203,12 @@ def separate(outside: Pieces, inside: Pieces, keep: bool) -> Parts:
             "the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope"
         )
     main, others, holes = outside.found[0], outside.found[1:], inside.found
-    void, filled = _in_cavities(main, holes), _in_cavities(main, others)
-    loose = [p for p, f in zip(others, filled) if keep or not f]
-    voids = [p for p, f in zip(holes, void) if f]
-    scaffold = outside.found if keep else [main._replace(cavities=(), volume=main.shell_volume)]
-    channels = holes if keep else [p for p, f in zip(holes, void) if not f]
+    void, hung = _in_cavities(main, holes), _in_cavities(main, others)
+    loose = [p for p, h in zip(others, hung) if keep_voids or not h]
+    voids = [p for p, v in zip(holes, void) if v]
+    solid = main if keep_voids else main._replace(cavities=(), volume=main.shell_volume)
+    scaffold = [solid, *(loose if keep_loose else ())]
+    channels = [p for p, v in zip(holes, void) if keep_voids or not v]
     cavities, matched = _matched(outside.found, holes)
     return Parts(
         scaffold=_joined(scaffold),
@@ -219,6 +224,7 @@ def separate(outside: Pieces, inside: Pieces, keep: bool) -> Parts:
         slivers=outside.slivers + inside.slivers,
         cavities=cavities,
         matched=matched,
+        filled=not keep_voids,
     )
 
 

@@ -165,11 +165,13 @@ BOTH = ("Face5", "Face6")
 
 
 @needs_manifold
-def test_layers_that_close_both_ends_leave_a_void_which_is_counted():
-    layers = ScaffoldParameters("mesh", keep_loose=True, layers=LayerParameters(BOTH, 1.0))
+def test_layers_that_close_both_ends_leave_a_void_which_is_counted_and_kept():
+    layers = ScaffoldParameters("mesh", layers=LayerParameters(BOTH, 1.0))
     bodies = made(CHANNEL, layers, patches=plate_faces())
     assert bodies.parts.void_volumes == (pytest.approx(2 * 2 * 8),)
     assert bodies.porosity == pytest.approx(32 / 1000)
+    assert mesh_volume(bodies.scaffold) == pytest.approx(968)
+    assert bodies.notes[0].endswith("32 mm3 together: kept")
     assert bodies.ok and failed(bodies) == []
 
 
@@ -276,6 +278,17 @@ def test_a_volume_that_rays_do_not_confirm_is_in_error(monkeypatch):
     bodies = made(CHANNEL)
     assert not bodies.ok
     assert failed(bodies) == ["channels by triangles and by rays, mm3"]
+
+
+#: Rods of 0.4 mm from here lie between the nodes of cells of 1 mm.
+PLACES = np.arange(1, 9) + 0.3
+
+
+def test_cells_too_coarse_for_the_rods_are_in_error_and_the_note_says_what_to_do():
+    thin = np.stack([corners((x, y, -0.1), (x + 0.4, y + 0.4, 10.1)) for x in PLACES for y in PLACES])
+    bodies = made(thin, ScaffoldParameters("field", 1.0))
+    assert failed(bodies) == ["channels by triangles and by rays, mm3"]
+    assert "make them smaller" in bodies.notes[-1]
 
 
 @needs_manifold

@@ -11,7 +11,7 @@ import pytest
 
 from freecad_trabecula.core.booleans import combine, cut_bodies, manifold_available
 from freecad_trabecula.core.layers import Patch, border_edges, layered_body, reaches, thicken, unfolded, welded_patch
-from freecad_trabecula.core.meshes import Mesh, bounds, is_closed, mesh_volume
+from freecad_trabecula.core.meshes import Mesh, bounds, component_volumes, components, is_closed, join, mesh_volume
 from freecad_trabecula.core.parameters import Coupling, LayerParameters
 from freecad_trabecula.core.rays import union_volume
 from freecad_trabecula.errors import MeshError
@@ -215,6 +215,18 @@ def prism(count, radius, height):
         ]
     )
     return Mesh(np.concatenate([ring, ring + [0, 0, height], [[0, 0, 0], [0, 0, height]]]), triangles)
+
+
+@needs_manifold
+def test_gaps_between_a_face_and_its_layer_are_filled_and_cavities_of_the_envelope_kept():
+    cavity = box((2, 2, 2), (4, 4, 4))
+    envelope = join([box(), Mesh(cavity.vertices, cavity.triangles[:, ::-1])])
+    # a face that was triangulated higher than the envelope: under its middle there is a gap
+    dome = np.array([[0, 0, 10], [10, 0, 10], [10, 10, 10], [0, 10, 10], [5, 5, 10.5]], float)
+    dome = Patch(dome, np.tile([0.0, 0, 1], (5, 1)), np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]))
+    layered = layered_body(envelope, [dome], LayerParameters(("Face6",), 1.0, "outwards"))
+    volumes = component_volumes(layered.body, components(layered.body))
+    assert sorted(volumes) == pytest.approx([-8, 1100 + 100 * 0.5 / 3])
 
 
 def test_an_open_layer_inwards_changes_nothing_and_says_so():

@@ -113,7 +113,7 @@ def test_an_inner_point_of_a_thin_wall_lies_in_the_wall(mesh):
 
 
 def parts_of(outside, inside, keep):
-    return separate(pieces(outside), pieces(inside), keep)
+    return separate(pieces(outside), pieces(inside), keep, keep)
 
 
 def shell_of_channel():
@@ -140,6 +140,22 @@ def test_kept_as_it_is_nothing_is_taken_or_filled():
     assert parts.loose_volumes == (pytest.approx(8),)
     assert parts.void_volumes == (pytest.approx(64),)
     assert parts.pieces == 2
+
+
+def test_voids_can_be_kept_and_what_hangs_in_them_taken_away():
+    parts = separate(*map(pieces, shell_of_channel()), keep_loose=False, keep_voids=True)
+    assert parts.scaffold_volume == pytest.approx(1000 - 64)
+    assert parts.channel_volume == pytest.approx(56)
+    assert parts.loose_volumes == (pytest.approx(8),)
+    assert (parts.pieces, parts.openings, parts.filled) == (1, 1, False)
+
+
+def test_loose_pieces_can_be_kept_and_voids_filled():
+    outside, inside = shell_of_channel()
+    outside = join([outside, cube(20, 1)])
+    parts = separate(pieces(outside), pieces(inside), keep_loose=True, keep_voids=False)
+    assert parts.scaffold_volume == pytest.approx(1001)
+    assert parts.loose_volumes == (pytest.approx(1),)
 
 
 def test_a_piece_beside_the_scaffold_is_loose_and_not_exported():
