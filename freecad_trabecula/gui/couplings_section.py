@@ -4,28 +4,37 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, List, Sequence, Tuple
+from typing import Any, Callable, List, Sequence, Tuple
 
 import FreeCAD
 from PySide import QtCore, QtGui
 
 from ..core.couplings import CouplingRow
-from ..core.parameters import Coupling
+from ..core.parameters import Coupling, PathParameters
 from ..core.sites import OPPOSITE_FACES, PRISM_FACES
 from .fields import Changed, ChoiceField, Form, row_widget
 from .paths_section import PathsSection, paths_summary
 from .qt import Buttons, run_dialog, small_button
+from .transactions import told
 
 translate = FreeCAD.Qt.translate
 _FACES, _PAIRS, _AVAILABLE, _RODS, _LEFT = range(5)
 
 
 class CouplingsSection(QtGui.QWidget):
-    """The table of couplings, and what more there is to set for the chosen one."""
+    """The table of couplings, and what more there is to set for the chosen one.
 
-    def __init__(self, changed: Changed) -> None:
+    Parameters
+    ----------
+    changed : callable
+    design_path : callable
+        Returns the paths of the design, for a coupling that is to have its own.
+    """
+
+    def __init__(self, changed: Changed, design_path: Callable[[], PathParameters]) -> None:
         super().__init__()
         self._report, self._showing = changed, False
+        self._design_path = design_path
         self._couplings: List[Coupling] = []
         self._faces: Tuple[str, ...] = PRISM_FACES
         self.table = QtGui.QTableWidget(0, 5)
@@ -214,7 +223,18 @@ class CouplingsSection(QtGui.QWidget):
 
     def _edit_path(self, *_: object) -> None:
         row = self.chosen_row()
-        dialog = PathDialog(self, self._couplings[row])
+        with told():
+            self.ask_path(row)
+
+    def ask_path(self, row: int) -> None:
+        """Ask for the paths of one coupling, starting from those of the design.
+
+        Raises
+        ------
+        ParameterError
+            If the paths of the design break a rule.
+        """
+        dialog = PathDialog(self, self._couplings[row], self._design_path())
         if run_dialog(dialog):
             self._set(row, path=dialog.value())
 
@@ -222,12 +242,12 @@ class CouplingsSection(QtGui.QWidget):
 class PathDialog(QtGui.QDialog):
     """Asks for the paths of one coupling."""
 
-    def __init__(self, parent: Any, coupling: Coupling) -> None:
+    def __init__(self, parent: Any, coupling: Coupling, design_path: PathParameters) -> None:
         super().__init__(parent)
         self.setWindowTitle(translate("Trabecula", "Paths from {} to {}").format(coupling.first, coupling.second))
         self.own = QtGui.QCheckBox(translate("Trabecula", "Paths of its own"))
         self.section = PathsSection(lambda: None)
-        self.section.set_value(coupling.path or self.section.value())
+        self.section.set_value(coupling.path or design_path)
         self.own.toggled.connect(self.section.setEnabled)
         self.own.setChecked(coupling.path is not None)
         self.section.setEnabled(coupling.path is not None)
@@ -237,6 +257,12 @@ class PathDialog(QtGui.QDialog):
         column = QtGui.QVBoxLayout(self)
         for widget in (self.own, self.section, buttons):
             column.addWidget(widget)
+
+    def accept(self) -> None:
+        """Close the dialog, unless a value breaks a rule."""
+        with told():
+            self.value()
+            super().accept()
 
     def value(self) -> Any:
         """Return the paths, None for those of the design."""

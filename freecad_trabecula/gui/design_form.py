@@ -103,7 +103,7 @@ class DesignForm:
         self.edits = EditsList(changed)
         self.pores = PoresSection(changed)
         self.paths = PathsSection(changed)
-        self.couplings = CouplingsSection(changed)
+        self.couplings = CouplingsSection(changed, self.paths.value)
         self.surface = SurfaceSection(changed)
         self.scaffold = ScaffoldSection(changed)
         sites = QtGui.QWidget()

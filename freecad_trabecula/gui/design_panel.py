@@ -28,7 +28,7 @@ from .transparency import ClearView
 from .view_providers import products_of
 
 translate = FreeCAD.Qt.translate
-WIDTH = 385  # pixels that the form needs
+WIDTH = 400  # pixels that the form needs
 DRAG_PAUSE = 30  # ms from a change to its preview: a burst of signals is one change
 
 
@@ -200,6 +200,7 @@ class DesignPanel:
         if self._open and hasattr(self, "preview"):
             self.preview.set_visible(box=self.envelope is None, **self.outcome.shown())
             self.preview.set_colouring(self.outcome.colouring.value())
+            self.outcome.show_scale()
 
     # ---------------------------------------------------------------------------------------------------- picking
 

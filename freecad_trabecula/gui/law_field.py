@@ -31,7 +31,7 @@ class LawField(Field):
 
     def _lay_out(self) -> None:
         first = row_widget()
-        for field, stretch, width in ((self.kind, 0, 98), (self.low, 1, 64), (self.high, 1, 64)):
+        for field, stretch, width in ((self.kind, 0, 94), (self.low, 1, 64), (self.high, 1, 64)):
             field.widget.setMinimumWidth(width)
             if field is not self.kind:
                 field.widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any, Callable, Optional, Tuple
 
 import FreeCAD
@@ -61,6 +62,10 @@ class Outcome(QtGui.QWidget):
         """Return which parts of the preview are to be shown."""
         return {name: box.isChecked() for name, box in self.parts.items()}
 
+    def show_scale(self) -> None:
+        """Show the scale of sizes only while the colours mean sizes."""
+        self.scale.setVisible(self.colouring.value() == COLOURINGS[0])
+
     def show_busy(self, text: str = "") -> None:
         """Say that a preview is on its way, or what else goes on before it."""
         self.message.hide()
@@ -77,6 +82,7 @@ class Outcome(QtGui.QWidget):
         self.headline.setText(f"<b>{rods}</b>, {translate('Trabecula', 'porosity …')}")
         self.details.setText(mended_text(outline))
         self.scale.set_sizes(outline.drawing.sizes)
+        self.show_scale()
         self.message.hide()
 
     def show_estimate(self, estimate: Estimate) -> None:
@@ -89,7 +95,7 @@ class Outcome(QtGui.QWidget):
         if not estimate.is_mended:
             mended = translate("Trabecula", "faulty rods are being mended …")
         self.details.setText(f"{plain}, {mended}" if mended else plain)
-        self._say("<br>".join(estimate.warnings), ORANGE)
+        self._say("\n".join(estimate.warnings), ORANGE)
 
     def show_error(self, text: str) -> None:
         """Say why there is no preview."""
@@ -99,7 +105,8 @@ class Outcome(QtGui.QWidget):
         self._say(text, RED)
 
     def _say(self, text: str, colour: str) -> None:
-        self.message.setText(f'<span style="color:{colour}">{text}</span>')
+        lines = escape(text).replace("\n", "<br>")
+        self.message.setText(f'<span style="color:{colour}">{lines}</span>')
         self.message.setVisible(bool(text))
 
 

@@ -50,7 +50,7 @@ def open_new(document: Any, job: Optional[Job] = None, envelope: Any = None) -> 
 
     if is_free():
         with told():
-            _show(DesignPanel(document, job or preset("case6"), envelope))
+            show_panel(DesignPanel(document, job or preset("case6"), envelope))
 
 
 def open_change(wireframe: Any) -> None:
@@ -62,7 +62,7 @@ def open_change(wireframe: Any) -> None:
         with told():
             scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
             job = job_of(wireframe, scaffold, IN_DOCUMENT)
-            _show(DesignPanel(wireframe.Document, job, wireframe.Envelope, wireframe))
+            show_panel(DesignPanel(wireframe.Document, job, wireframe.Envelope, wireframe))
 
 
 def open_on_faces(document: Any, envelope: Any, faces: Sequence[str]) -> None:
@@ -120,11 +120,12 @@ _panel: List[Any] = []
 
 
 def current() -> Any:
-    """Return the design panel that was opened last."""
+    """Return the panel that was opened last."""
     return _panel[-1]
 
 
-def _show(panel: Any) -> None:
+def show_panel(panel: Any) -> None:
+    """Open a task panel and remember it."""
     _panel[:] = [panel]
     FreeCADGui.Control.showDialog(panel)
 
@@ -135,7 +136,7 @@ def open_results(document: str, wireframe: Any = None) -> None:
 
     if document in FreeCAD.listDocuments() and is_free():
         found = wireframe or wireframes(FreeCAD.getDocument(document))[-1]
-        _show(ResultsPanel(found))
+        show_panel(ResultsPanel(found))
 
 
 def wireframes(document: Any) -> list:

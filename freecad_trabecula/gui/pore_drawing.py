@@ -26,10 +26,12 @@ class PoreDrawing(QtGui.QWidget):
     def set_pore(self, parameters: PoreParameters, size: float, turns: Sequence[float]) -> None:
         """Show the pore of a size (mm) with tangent components; values that no pore can have change nothing."""
         turns = np.array([turns], float)
-        if not (np.isfinite(size) and size > 0 and ((turns >= 0) & (turns <= 1)).all()):
+        is_circle = parameters.layout == "circle"
+        is_whole = is_circle or turns.shape[1] == parameters.corners
+        if not (is_whole and np.isfinite(size) and size > 0 and ((turns >= 0) & (turns <= 1)).all()):
             return
         sizes = np.array([size])
-        if parameters.layout == "circle":
+        if is_circle:
             pore = circles(sizes)
         else:
             shape = turns.shape

@@ -14,6 +14,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
+MOST_DIGITS = 4  # of a length in mm that is shown; the value itself keeps all
 Buttons = QtGui.QDialogButtonBox
 
 
@@ -82,10 +83,10 @@ def quantity_box() -> Any:
 
 
 def set_length(box: Any, length: float) -> None:
-    """Show a length in mm in a quantity box, with as many digits as it or a step has: it rounds to what it shows."""
+    """Show a length in mm in a quantity box, with as many digits as it or a step has, at most ``MOST_DIGITS``."""
     quantity = FreeCAD.Units.Quantity(float(length), FreeCAD.Units.Length)
     step = float(box.property("singleStep") or 0.0)
-    digits = max(len(("%.9f" % value).rstrip("0").partition(".")[2]) for value in (length, step))
+    digits = max(len((f"{value:.{MOST_DIGITS}f}").rstrip("0").partition(".")[2]) for value in (length, step))
     if 0 < abs(length) < 0.1:
         digits -= 3  # FreeCAD shows micrometres
     quantity.Format = {"Precision": max(digits, 0), "NumberFormat": "f", "Denominator": 8}

@@ -216,10 +216,10 @@ def components(angles: np.ndarray) -> List[float]:
 
 def open_site_panel(obj: Any) -> None:
     """Open the panel for the design to which an object belongs."""
-    from .panels import is_free
+    from .panels import is_free, show_panel
 
     wireframe = wireframe_of(obj) if type_of(obj) else None
     if wireframe is None:
         say(translate("Trabecula", "Select a wireframe or its sites first"))
     elif is_free():
-        FreeCADGui.Control.showDialog(SitePanel(wireframe))
+        show_panel(SitePanel(wireframe))

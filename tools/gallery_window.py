@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Drives a FreeCAD window and takes its pictures; started by ``gallery.py``."""
+
+import json
+import os
+import sys
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+ROOT = Path(__file__).resolve().parent.parent
+CHOICE = json.loads(os.environ["TRABECULA_GALLERY"])
+FOLDER = Path(CHOICE["folder"])
+#: Docks of FreeCAD's default layout that show nothing of ours.
+OTHER_DOCKS = ("Python console", "Report view", "Selection view", "DAG View")
+
+
+def wait(condition=lambda: False, seconds=1.0):
+    """Run the event loop until a condition holds or the time is over."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and not condition():
+        QtGui.QApplication.processEvents()
+        time.sleep(0.01)
+
+
+def shoot(name):
+    """Picture the screen: ``QWidget.grab`` would leave the 3D view blank."""
+    wait(seconds=0.6)
+    QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(str(FOLDER / (name + ".png")))
+
+
+def arrange():
+    """Give the window its size and clear it of what is not ours."""
+    window = FreeCADGui.getMainWindow()
+    FreeCADGui.activateWorkbench("TrabeculaWorkbench")
+    for dock in window.findChildren(QtGui.QDockWidget):
+        if dock.objectName() in OTHER_DOCKS:
+            dock.hide()
+    window.setGeometry(0, 0, 1280, 800)
+    wait(seconds=0.5)
+
+
+def open_preset(name):
+    """Open the design panel with a preset and wait for the mended preview and its porosity."""
+    from freecad_trabecula.gui import panels
+
+    FreeCADGui.runCommand("Trabecula_Preset_" + name)
+    panel = panels.current()
+    wait(lambda: panel._drawn is not None and "≈" in panel.outcome.headline.text(), 300)
+    wait(seconds=1.0)
+    return panel
+
+
+def view():
+    """Return the 3D view of the active document."""
+    return FreeCADGui.activeDocument().activeView()
+
+
+def build(panel, *kinds):
+    """Build bodies and wait until the results are open; return their panel."""
+    from freecad_trabecula.gui import panels
+
+    for kind, box in panel.build_bar.boxes.items():
+        box.setChecked(kind in kinds)
+    panel.build()
+    wait(lambda: panel.build_bar.bar.value() > 100 or not panel._open, 120)
+    if panel._open:
+        shoot(CHOICE["part"] + "-building")
+    wait(lambda: not panel._open, 800)
+    wait(lambda: panels.current() is not panel, 10)
+    wait(seconds=1.0)
+    if panels.current() is panel:
+        sys.exit("nothing was built")
+    return panels.current()
+
+
+def take_design(name):
+    """Picture one design: its preview, its scaffold and channels, its results."""
+    panel = open_preset(name)
+    shoot(name + "-preview")
+    report = build(panel, "scaffold")
+    view().viewIsometric()
+    view().fitAll()
+    shoot(name + "-results")
+    picture = FOLDER / (name + "-scaffold.png")
+    view().saveImage(str(picture), 900, 700, "White")
+    report.reject()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.runCommand("Trabecula_Switch")
+    wait(seconds=0.5)
+    view().saveImage(str(FOLDER / (name + "-channels.png")), 900, 700, "White")
+
+
+def take_panels():
+    """Picture every panel and dialog."""
+    panel = open_preset("case6")
+    for number, name in enumerate(("sites", "pores", "paths", "couplings", "rods", "scaffold")):
+        panel.fields.sections.open(number)
+        shoot("design-" + name)
+    panel.outcome.colouring.set_value("coupling")
+    panel.outcome.parts["pairs"].setChecked(True)
+    shoot("design-by-coupling")
+    take_path_dialog(panel)
+    panel.fields.pores.fields["size"].low.set_value(0.9)
+    panel.fields.sections.open(1)
+    wait(lambda: "low <= high" in panel.outcome.message.text(), 5)
+    shoot("design-refused")
+    panel.fields.pores.fields["size"].low.set_value(0.2)
+    wait(lambda: "≈" in panel.outcome.headline.text(), 30)
+    report = build(panel, "network", "scaffold")
+    view().viewIsometric()
+    view().fitAll()
+    for number, name in enumerate(("figures", "checks", "sizes", "couplings", "recoveries")):
+        report.sections.open(number)
+        shoot("results-" + name)
+    take_loose(report)
+    report.reject()
+    take_export()
+    take_site_panel()
+    take_rod_dock()
+    take_installer()
+
+
+def take_dialog(name, dialog):
+    """Picture a dialog that is shown beside the window."""
+    dialog.show()
+    dialog.move(640, 300)
+    shoot(name)
+    dialog.close()
+
+
+def take_path_dialog(panel):
+    """Picture the dialog for the paths of one coupling."""
+    from freecad_trabecula.gui.couplings_section import PathDialog
+
+    dialog = PathDialog(panel.form, panel.fields.couplings.value()[0], panel.fields.paths.value())
+    dialog.own.setChecked(True)
+    take_dialog("design-own-path", dialog)
+
+
+def take_loose(report):
+    """Picture what the channels cut off, alone."""
+    from freecad_trabecula.gui.view_providers import parts_of
+
+    parts = parts_of(report.wireframe)
+    for one in parts:
+        one.ViewObject.Visibility = getattr(one, "Role", "") in ("loose", "voids")
+    report.show()
+    report.sections.open(0)
+    shoot("results-loose-pieces")
+    for one in parts:
+        one.ViewObject.Visibility = one.Name == "Scaffold"
+
+
+def take_export():
+    """Picture the export dialog."""
+    from freecad_trabecula.gui.export_dialog import ExportDialog, exists
+    from freecad_trabecula.gui.view_providers import parts_of, wireframe_of
+
+    wireframe = wireframe_of(FreeCAD.ActiveDocument.getObject("Network"))
+    bodies = [one for one in parts_of(wireframe) if exists(one)]
+    take_dialog("export", ExportDialog(FreeCADGui.getMainWindow(), bodies))
+
+
+def take_site_panel():
+    """Picture the panel for single sites and pores."""
+    from freecad_trabecula.gui import panels
+
+    FreeCADGui.runCommand("Trabecula_EditSite")
+    wait(seconds=0.5)
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, "Sites", "Vertex60", 0, 0, 0)
+    wait(seconds=0.5)
+    panel = panels.current()
+    panel.size.set_value(0.9)
+    shoot("edit-site")
+    panel.reject()
+
+
+def take_rod_dock():
+    """Picture the dock that tells of a rod."""
+    network = FreeCAD.ActiveDocument.getObject("Network")
+    for obj in FreeCAD.ActiveDocument.Objects:
+        obj.ViewObject.Visibility = obj is network or obj.Name == network.Name
+    FreeCADGui.runCommand("Trabecula_RodInfo")
+    wait(seconds=0.5)
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, network.Name, "Face301", 0, 0, 0)
+    view().fitAll()
+    shoot("rod")
+    FreeCADGui.runCommand("Trabecula_RodInfo")
+
+
+def take_installer():
+    """Picture the offer to install what is missing."""
+    from freecad_trabecula.gui.install import InstallDialog
+
+    text = "the mesh engine needs the package manifold3d: pip install manifold3d"
+    take_dialog("install", InstallDialog(FreeCADGui.getMainWindow(), text))
+
+
+def main():
+    """Take the pictures and end FreeCAD."""
+    output = open(1, "w", encoding="utf-8", errors="replace", buffering=1, closefd=False)  # noqa: SIM115
+    status = 1
+    try:
+        arrange()
+        take_panels() if CHOICE["part"] == "panels" else take_design(CHOICE["part"])
+        status = 0
+    except SystemExit as stop:
+        print(stop, file=output)
+    except BaseException:
+        traceback.print_exc(file=output)
+    output.flush()
+    os._exit(status)
+
+
+sys.path.insert(0, str(ROOT))
+QtCore.QTimer.singleShot(1500, main)
