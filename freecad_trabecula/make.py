@@ -24,6 +24,7 @@ from .features.makers import (
     make_network,
     make_prism_sites,
     make_scaffold,
+    make_solid_scaffold,
     make_wireframe,
     set_wireframe_parameters,
 )
@@ -48,6 +49,7 @@ __all__ = [
     "make_network",
     "make_prism_sites",
     "make_scaffold",
+    "make_solid_scaffold",
     "make_wireframe",
     "move_site",
     "rod_at",

@@ -27,6 +27,7 @@ from .feature import is_a
 from .jobs import job_of
 from .network import Network
 from .scaffold import Scaffold, cut, scaffold_key
+from .solid_scaffold import SolidScaffold, solid_key, solid_of
 from .wireframe import Inputs, Wireframe, made, wireframe_key
 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
@@ -140,6 +141,11 @@ def _compute(wanted: Dict[str, Any], inputs: Inputs, progress: Progress) -> List
         parameters = from_record(ScaffoldParameters, wanted["scaffold"], "scaffold")
         key = scaffold_key(inputs.key, parameters)
         results.keep(kind, key, cut(inputs, parameters, progress)._replace(bodies=None))
+        return [(kind, key)]
+    if kind == SolidScaffold.KIND:
+        parameters = from_record(ScaffoldParameters, wanted["scaffold"], "scaffold")
+        key = solid_key(inputs.key, parameters)
+        results.keep(kind, key, solid_of(inputs, parameters, progress))
         return [(kind, key)]
     return []
 
