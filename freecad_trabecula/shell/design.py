@@ -198,7 +198,17 @@ def design_checks(made: Made) -> Tuple[Check, ...]:
             _ROD_TOLERANCE,
         ),
         *made.bodies.checks,
+        *_solid_checks(made.objects.solid_scaffold),
     )
+
+
+def _solid_checks(solid: Any) -> Tuple[Check, ...]:
+    """Return what must hold of the scaffold as a solid, if there is one."""
+    if solid is None:
+        return ()
+    volume, other = solid.SolidVolume.Value, solid.MeshVolume.Value
+    name = "volume of the scaffold, solid against mesh, mm3"
+    return (Check(name, volume, other, abs(volume / other - 1), _ROD_TOLERANCE),)
 
 
 def warnings(made: Made) -> Tuple[str, ...]:
