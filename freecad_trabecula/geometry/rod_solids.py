@@ -18,7 +18,7 @@ from ..errors import KernelError
 from .brep_text import BrepText, places, read_brep
 
 VOLUME_TOLERANCE = 1e-3  # relative, of a solid's volume against that of its triangles
-_MORE = 3  # times that the number of sections is doubled where the volume is another
+_MORE = 5  # times that the number of sections is doubled where the volume is another
 
 
 def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progress = silent) -> Iterator[Part.Shape]:
@@ -113,7 +113,7 @@ def rod_texts(wireframe: Wireframe, halves: int, beyond: Union[float, np.ndarray
 def strip_texts(strips: Strips, degree: int = 3) -> List[str]:
     """Return each rod's solid as BREP text; ``degree`` 1 is for ruled rods."""
     count, corners, spans = strips.patches.shape[:3]
-    poles, knots = _spline_poles(strips.patches), strips.knots
+    poles, knots = spline_poles(strips.patches), strips.knots
     if degree == 1:
         poles, knots = poles[:, :, :, [0, -1]], knots[:, [0, -1]]
     template = _template(corners, knots.shape[1], degree)
@@ -129,7 +129,7 @@ def strip_texts(strips: Strips, degree: int = 3) -> List[str]:
     return [template % tuple(row) for row in np.concatenate(each, 1).tolist()]
 
 
-def _spline_poles(patches: np.ndarray) -> np.ndarray:
+def spline_poles(patches: np.ndarray) -> np.ndarray:
     """Poles (R, M, 4, 2K, 3) of C1 cubic B-splines from patches (R, M, S, 4, 4, 3), less those at joints."""
     inner = np.moveaxis(patches[:, :, :, :, 1:3], 2, 3)
     inner = inner.reshape(*inner.shape[:3], -1, 3)
