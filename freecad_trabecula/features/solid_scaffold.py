@@ -31,6 +31,8 @@ class SolidScaffold(OnDemand):
         result("Integer", "RodsWanted", "Rods of the wireframe"),
         result("Bool", "Complete", "Whether all rods were cut"),
         result("String", "Reason", "Why it stopped, if it did"),
+        result("Float", "Porosity", "Share of the envelope that is not scaffold, % (Eq. 2.2)"),
+        result("Volume", "ScaffoldVolume", "Volume of the scaffold as it is shown"),
         result("Volume", "SolidVolume", "Volume of the solid, loose pieces included"),
         result("Volume", "MeshVolume", "Volume of the same cut by the mesh engine: the independent route"),
         result("Float", "Difference", "Difference between both volumes, %"),
@@ -58,12 +60,14 @@ class SolidScaffold(OnDemand):
                 f"a solid scaffold must have all its channels: the B-Rep engine came to {value.rods} of {value.wanted} "
                 f"rods, then {value.reason}; the mesh scaffold stands"
             )
+        obj.ScaffoldVolume = value.shape.Volume
+        obj.Porosity = 100 * (1 - value.shape.Volume / wireframe_object(obj).Envelope.Shape.Volume)
         obj.Shape = value.shape
         obj.Placement = FreeCAD.Placement()
 
     def said(self, obj: Any) -> str:
         """Return the number of rods and the double entry."""
-        return f"{obj.RodsCut} rods cut, {obj.SolidVolume.Value:.6g} mm^3, {obj.Difference:.2g} % from the mesh"
+        return f"porosity {obj.Porosity:.2f} %, {obj.RodsCut} rods cut; solid and mesh differ by {obj.Difference:.2g} %"
 
 
 def solid_key(wireframe: str, parameters: ScaffoldParameters) -> str:

@@ -7,6 +7,7 @@ expressions, and a file of the version before in tests/data that a test opens.
 
 import sys
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parent))
@@ -55,6 +56,13 @@ NAMES = {
         "Pieces Porosity Reason ResultKey ScaffoldVolume SchemaVersion Seconds Status SumPorosity TimeBudget "
         "UnionPorosity UpToDate VoidVolume Voids Watertight Wireframe",
     ),
+    "Trabecula::SolidScaffold": (
+        "freecad_trabecula.features.solid_scaffold.SolidScaffold",
+        "Part::FeaturePython",
+        "AutoUpdate Cell Complete Difference Engine KeepLoose LayerClosed LayerFaces LayerSide LayerThickness "
+        "MemoryBudget MeshVolume Porosity Reason ResultKey RodsCut RodsWanted ScaffoldVolume SchemaVersion Seconds "
+        "SolidVolume Status TimeBudget UpToDate Wireframe",
+    ),
     "Trabecula::Body": (
         "freecad_trabecula.features.scaffold.Body",
         "Mesh::FeaturePython",
@@ -66,10 +74,13 @@ NAMES = {
 @unittest.skipUnless(manifold_available(), NO_BOOLEANS)
 class NamesTest(DocumentCase):
     def test_all_names_that_files_hold_are_still_there(self):
-        design = make.make_design(self.document, small_job(), ("network", "scaffold"))
+        job = small_job(n=2)
+        job = replace(job, couplings=tuple(replace(coupling, limit=1) for coupling in job.couplings))
+        design = make.make_design(self.document, job, ("network", "scaffold"))
         faces = make.make_face_sites(design.envelope, FaceParameters("Face1"))
         bodies = make.body_objects(design.scaffold)
-        objects = (*design.sites, faces, design.wireframe, design.network, design.scaffold, bodies[0])
+        solid = make.make_solid_scaffold(design.wireframe)
+        objects = (*design.sites, faces, design.wireframe, design.network, design.scaffold, solid, bodies[0])
         self.assertEqual({obj.Proxy.Type for obj in objects}, set(NAMES))
         for obj in objects:
             with self.subTest(type=obj.Proxy.Type):
