@@ -24,10 +24,10 @@ def main():
         if code:
             return code
         print((folder / "report.md").read_text(encoding="utf-8"))
-        for shown in ("Scaffold", "Network"):
-            image = folder / f"{shown.lower()}.png"
-            status |= picture.take(folder / "design.FCStd", image, (shown,))
-            print(f"picture: {image}" if image.exists() else f"no picture of the {shown.lower()}", flush=True)
+        images = {folder / "scaffold.png": ["Scaffold"], folder / "network.png": ["Network"]}
+        status |= picture.take(folder / "design.FCStd", images)
+        for image in images:
+            print(f"picture: {image}" if image.exists() else f"no picture {image.name}", flush=True)
         print("files: " + ", ".join(sorted(p.name for p in folder.iterdir())))
     print(f"done in {time.time() - started:.0f} s; everything is in {ROOT / 'build' / 'demo'}")
     return status

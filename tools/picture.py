@@ -20,17 +20,17 @@ SIZE = (1200, 900)  # pixels
 TIMEOUT = 180  # s
 
 
-def take(document, picture, shown=("Scaffold",)):
-    """Open a document in a window and save a picture of its objects of the classes ``shown``; return the exit code."""
+def take(document, pictures):
+    """Open a document in a window and save pictures of its objects of some classes; return the exit code.
+
+    ``pictures`` maps the name of a file to the classes that it shows.
+    """
     run = _runner()
     with tempfile.TemporaryDirectory() as folder:
         facts = run.freecad_facts(Path(folder))
         home = run.make_home(facts)
-        call = {
-            "document": str(Path(document).resolve()),
-            "picture": str(Path(picture).resolve()),
-            "shown": list(shown),
-        }
+        wanted = {str(Path(name).resolve()): list(shown) for name, shown in pictures.items()}
+        call = {"document": str(Path(document).resolve()), "pictures": wanted}
         environment = dict(run.test_environment(facts, Path(folder)), FREECAD_USER_HOME=str(home))
         environment[VARIABLE] = json.dumps(call)
         command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", "freecad", str(Path(__file__).resolve())]
@@ -42,7 +42,7 @@ def take(document, picture, shown=("Scaffold",)):
             return 1
         finally:
             shutil.rmtree(str(home), ignore_errors=True)
-    if done.returncode or not Path(picture).exists():
+    if done.returncode or not all(Path(name).exists() for name in pictures):
         sys.stderr.write(done.stdout.decode("utf-8", "replace")[-3000:])
         return done.returncode or 1
     return 0
@@ -85,25 +85,26 @@ def _open():
 
     call = json.loads(os.environ[VARIABLE])
     document = FreeCAD.openDocument(call["document"])
-    for obj in document.Objects:
-        kind = type(getattr(obj, "Proxy", None)).__name__
-        obj.ViewObject.Visibility = kind in call["shown"]
-    view = FreeCADGui.activeDocument().activeView()
-    view.viewTrimetric()  # three faces in three tones; from the corner all would look alike
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-    QtCore.QTimer.singleShot(2500, _guarded(_shoot))
+    FreeCADGui.activeDocument().activeView().viewTrimetric()  # three faces in three tones; not all alike
+    left = list(call["pictures"].items())
 
+    def show():
+        if not left:
+            os._exit(0)
+        for obj in document.Objects:
+            obj.ViewObject.Visibility = type(getattr(obj, "Proxy", None)).__name__ in left[0][1]
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        QtCore.QTimer.singleShot(1500, _guarded(shoot))
 
-def _shoot():
-    import FreeCADGui
+    def shoot():
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        FreeCADGui.activeDocument().activeView().saveImage(left.pop(0)[0], *SIZE, "White")
+        show()
 
-    call = json.loads(os.environ[VARIABLE])
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-    FreeCADGui.activeDocument().activeView().saveImage(call["picture"], *SIZE, "White")
-    os._exit(0)
+    show()
 
 
 if VARIABLE in os.environ and "FreeCADGui" in sys.modules:
     _inside()
 elif __name__ == "__main__":
-    sys.exit(take(sys.argv[1], sys.argv[2], sys.argv[3:] or ("Scaffold",)) if len(sys.argv) > 2 else __doc__)
+    sys.exit(take(sys.argv[1], {sys.argv[2]: sys.argv[3:] or ["Scaffold"]}) if len(sys.argv) > 2 else __doc__)
