@@ -107,7 +107,7 @@ def take_panels():
     take_path_dialog(panel)
     panel.fields.pores.fields["size"].low.set_value(0.9)
     panel.fields.sections.open(1)
-    wait(lambda: "low <= high" in panel.outcome.message.text(), 5)
+    wait(lambda: "low &lt;= high" in panel.outcome.message.text(), 5)
     shoot("design-refused")
     panel.fields.pores.fields["size"].low.set_value(0.2)
     wait(lambda: "≈" in panel.outcome.headline.text(), 30)

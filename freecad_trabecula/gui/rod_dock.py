@@ -129,13 +129,19 @@ def _length(path: np.ndarray) -> float:
     return float(stations(path[None], 3).lengths[0])
 
 
+_docks: List[RodDock] = []
+
+
+def dock_of_window() -> RodDock:
+    """Return the window's dock, made when it is first asked for."""
+    if not _docks:
+        _docks.append(RodDock())
+        FreeCADGui.getMainWindow().addDockWidget(QtCore.Qt.RightDockWidgetArea, _docks[0])
+        _docks[0].hide()
+    return _docks[0]
+
+
 def toggle_dock() -> None:
     """Show the dock, or hide it."""
-    window = FreeCADGui.getMainWindow()
-    dock = window.findChild(QtGui.QDockWidget, _NAME)
-    if dock is None:
-        dock = RodDock()
-        window.addDockWidget(QtCore.Qt.RightDockWidgetArea, dock)
-        dock.show()
-    else:
-        dock.setVisible(not dock.isVisible())
+    dock = dock_of_window()
+    dock.setVisible(not dock.isVisible())

@@ -46,7 +46,7 @@ class PanelTest(WindowTest):
     def test_a_size_range_upside_down_is_refused_in_the_panel_and_nothing_is_lost(self):
         panel = self.open_preset("case1")
         type_into(panel.fields.pores.fields["size"].low.widget, "0.9")
-        self.assertTrue(wait(lambda: "low <= high" in panel.outcome.message.text(), 5))
+        self.assertTrue(wait(lambda: "low &lt;= high" in panel.outcome.message.text(), 5))
         self.change(panel, lambda: type_into(panel.fields.pores.fields["size"].low.widget, "0.2"))
         self.assertEqual(panel.fields.job(), preset("case1"))
 

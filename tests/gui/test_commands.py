@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands: registered with texts and icons, usable when they can do something, recorded, files written."""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+from window import WindowTest, wait
+
+from freecad_trabecula import make
+from freecad_trabecula.core.job import job_from_json
+from freecad_trabecula.core.presets import PRESETS, preset
+from freecad_trabecula.errors import ParameterError
+from freecad_trabecula.gui import commands, export_dialog, install, panels, transactions
+from freecad_trabecula.gui.child_work import time_text
+
+SINGLE = [name for name in commands.TOOLBAR if name and name != "Trabecula_Presets"]
+
+
+class CommandTest(WindowTest):
+    def test_every_command_has_a_text_a_tooltip_and_an_icon(self):
+        for name in [*SINGLE, *("Trabecula_Preset_" + preset_name for preset_name in PRESETS)]:
+            with self.subTest(command=name):
+                info = FreeCADGui.Command.get(name).getInfo()
+                self.assertTrue(info["menuText"] and info["toolTip"])
+                self.assertTrue(os.path.isfile(info["pixmap"]))
+
+    def test_the_toolbar_and_the_menu_hold_the_commands(self):
+        window = FreeCADGui.getMainWindow()
+        bar = window.findChild(QtGui.QToolBar, "Trabecula")
+        self.assertGreaterEqual(len([one for one in bar.actions() if not one.isSeparator()]), len(SINGLE))
+        self.assertIn("Trabecula", [one.text().replace("&", "") for one in window.menuBar().actions()])
+
+    def test_without_a_design_only_what_makes_one_can_be_used(self):
+        self.assertTrue(FreeCADGui.Command.get("Trabecula_Design").isActive())
+        for name in ("Trabecula_Network", "Trabecula_Results", "Trabecula_Export", "Trabecula_SaveJob"):
+            self.assertFalse(FreeCADGui.Command.get(name).isActive(), name)
+
+    def test_while_a_panel_is_open_no_other_can_be(self):
+        self.open_preset("case1")
+        for name in ("Trabecula_Design", "Trabecula_OpenJob", "Trabecula_Preset_case2"):
+            self.assertFalse(FreeCADGui.Command.get(name).isActive(), name)
+
+    def test_without_a_document_a_preset_makes_one(self):
+        FreeCAD.closeDocument(self.document.Name)
+        self.open_preset("case1")
+        self.assertEqual(len(FreeCAD.listDocuments()), 1)
+
+    def test_the_design_command_opens_the_selected_design(self):
+        make.make_design(self.document, preset("case2"))
+        FreeCADGui.Selection.addSelection(self.document.Name, "Sites")
+        FreeCADGui.runCommand("Trabecula_Design")
+        panel = panels.current()
+        self.assertEqual(panel.wireframe.Name, "Wireframe")
+        self.assertEqual(panel.fields.job().pores, preset("case2").pores)
+
+    def test_sites_on_faces_without_a_selected_solid_says_so_and_opens_nothing(self):
+        FreeCADGui.runCommand("Trabecula_FaceSites")
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertIn("Select a solid", FreeCADGui.getMainWindow().statusBar().currentMessage())
+
+    def test_building_from_the_toolbar_builds_and_opens_the_results(self):
+        make.make_design(self.document, preset("case1"))
+        FreeCADGui.runCommand("Trabecula_Network")
+        self.assertTrue(wait(lambda: self.document.getObject("Network") is not None, 120))
+        self.assertTrue(wait(lambda: hasattr(panels.current(), "histogram"), 30))
+        self.assertEqual(self.dialogs, [])
+
+    def test_channels_before_a_scaffold_are_refused(self):
+        design = make.make_design(self.document, preset("case1"))
+        with self.assertRaisesRegex(ParameterError, "build the scaffold first"):
+            commands.switch_view(design.wireframe)
+
+    def test_what_a_panel_does_can_be_run_as_a_macro(self):
+        lines = []
+        panel = self.open_preset("case1")
+
+        def record(line):
+            lines.append(line)
+            transactions.record(line)
+
+        with mock.patch("freecad_trabecula.gui.building.record", record):
+            panel.accept()
+            self.assertTrue(wait(lambda: not panel._open, 60))
+        self.document.undo()
+        self.assertEqual(self.names(), [])
+        exec("\n".join(lines), {})  # noqa: S102  this is what a macro is
+        self.assertEqual(self.wireframe().Rods, 75)
+
+
+class TransactionTest(WindowTest):
+    def test_an_error_takes_everything_back(self):
+        with self.assertRaises(ParameterError), transactions.transaction(self.document, "Fails"):
+            self.document.addObject("Part::Box", "Box")
+            raise ParameterError("a rule")
+        self.assertEqual((self.names(), self.document.UndoNames), ([], []))
+
+    def test_an_error_on_purpose_becomes_a_dialog_and_another_does_not(self):
+        with transactions.told():
+            raise ParameterError("rule, value, unit")
+        self.assertEqual(self.dialogs, ["rule, value, unit"])
+        with self.assertRaises(ZeroDivisionError), transactions.told():
+            raise ZeroDivisionError
+
+
+class FilesTest(WindowTest):
+    def test_a_saved_job_opens_with_the_same_values(self):
+        make.make_design(self.document, preset("case4"))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "own.json")
+            with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (path, "")):
+                FreeCADGui.runCommand("Trabecula_SaveJob")
+            self.assertEqual(job_from_json(Path(path).read_text(encoding="utf-8")).wireframe, preset("case4").wireframe)
+            with mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda *_: (path, "")):
+                FreeCADGui.runCommand("Trabecula_OpenJob")
+            self.assertEqual(panels.current().fields.job().wireframe, preset("case4").wireframe)
+
+    def test_a_job_file_with_an_unknown_key_is_refused_by_its_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bad.json")
+            Path(path).write_text('{"schema": 1, "porez": {}}', encoding="utf-8")
+            with mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda *_: (path, "")):
+                FreeCADGui.runCommand("Trabecula_OpenJob")
+        self.assertEqual(len(self.dialogs), 1)
+        self.assertIn("porez", self.dialogs[0])
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_the_size_shown_before_is_that_of_the_file(self):
+        design = make.make_design(self.document, preset("case1"))
+        network = make.make_network(design.wireframe)
+        expected = export_dialog.estimated_size(network, "brep")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "network.brep")
+            export_dialog.write_body(network, path)
+            self.assertLess(abs(os.path.getsize(path) - expected), 0.2 * expected)
+
+    def test_exporting_to_a_folder_that_is_missing_is_refused(self):
+        design = make.make_design(self.document, preset("case1"))
+        network = make.make_network(design.wireframe)
+        with transactions.told():
+            export_dialog.write_body(network, "/nowhere/network.step")
+        self.assertEqual(len(self.dialogs), 1)
+        self.assertIn("/nowhere", self.dialogs[0])
+
+    def test_a_design_without_bodies_has_nothing_to_export(self):
+        design = make.make_design(self.document, preset("case1"))
+        with self.assertRaisesRegex(ParameterError, "build one first"):
+            export_dialog.export_design(design.wireframe)
+
+    def test_sizes_and_times_are_said_as_people_say_them(self):
+        self.assertEqual(export_dialog.size_text(950), "950 B")
+        self.assertEqual(export_dialog.size_text(1.5e9), "1.50 GB")
+        self.assertEqual(time_text(0.2), "1 s")
+        self.assertEqual(time_text(61), "1 min 1 s")
+
+
+class InstallTest(WindowTest):
+    def test_pip_of_this_python_installs_into_freecads_own_folder(self):
+        words = install.install_words(install.package_folder())
+        self.assertIn("--target", words)
+        self.assertTrue(words[words.index("--target") + 1].startswith(FreeCAD.getUserAppDataDir()))
+        self.assertEqual(words[-1], "manifold3d")
+        self.assertIn("python", os.path.basename(words[0]))
+        self.assertNotIn("freecad", os.path.basename(words[0]).lower())
+        self.assertTrue(os.access(words[0], os.X_OK))
+        self.assertIn(f"{sys.version_info.major}", os.path.realpath(words[0]))
+
+    def test_the_dialog_runs_the_command_and_says_how_it_ended(self):
+        with mock.patch.object(
+            install, "install_words", lambda folder: [install.python_program(), "-c", "print('done')"]
+        ):
+            dialog = install.InstallDialog(FreeCADGui.getMainWindow(), "manifold3d is missing")
+            dialog.install()
+            self.assertTrue(wait(lambda: "is installed" in dialog.label.text(), 30), dialog.output.toPlainText())
+        self.assertIn("done", dialog.output.toPlainText())
+        dialog.close()
+
+    def test_a_failed_installation_is_told(self):
+        with mock.patch.object(
+            install, "install_words", lambda folder: [install.python_program(), "-c", "raise SystemExit(1)"]
+        ):
+            dialog = install.InstallDialog(FreeCADGui.getMainWindow(), "manifold3d is missing")
+            dialog.install()
+            self.assertTrue(wait(lambda: "could not" in dialog.label.text(), 30))
+        dialog.close()
