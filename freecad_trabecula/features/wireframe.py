@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
@@ -139,8 +140,9 @@ class Wireframe(Keyed):
     def show(self, obj: Any, value: Mended) -> None:
         """Show paths and end sections, and what is known of them."""
         wireframe = value.wireframe
-        pores, paths, _ = wireframe_shape(wireframe).childShapes()
-        warnings = pore_warnings(wireframe, self.inputs(obj).faces)
+        coupled = of_coupled_faces(wireframe)
+        pores, paths, _ = wireframe_shape(coupled).childShapes()
+        warnings = pore_warnings(coupled, self.inputs(obj).faces)
         obj.Structure, obj.Numbers = to_numbers(value)
         obj.Rods = len(wireframe)
         obj.CouplingTable = lines_of(wireframe.rows)
@@ -155,6 +157,13 @@ class Wireframe(Keyed):
         counts = ((obj.Recoveries, "mended"), (obj.Failed, "failed and left out"), (obj.Outside, "leave the envelope"))
         parts += [f"{len(names)} {what}" for names, what in counts if names]
         return "; ".join([", ".join(parts), *obj.Warnings])
+
+
+def of_coupled_faces(wireframe: core.Wireframe) -> core.Wireframe:
+    """Return the wireframe without the sites and pores of faces that no coupling joins."""
+    faces = {face for row in wireframe.rows for face in (row.first, row.second)}
+    sites, pores = ({f: one for f, one in of.items() if f in faces} for of in (wireframe.sites, wireframe.pores))
+    return replace(wireframe, sites=sites, pores=pores)
 
 
 def recall(obj: Any) -> None:

@@ -81,6 +81,17 @@ class WireframeTest(DocumentCase):
         bend = np.cross(paths[:, 1, 3] - paths[:, 0, 0], paths[:, 0, 3] - paths[:, 0, 0])
         self.assertLess(np.abs(bend).max(), 1e-9)
 
+    def test_pores_of_faces_that_no_coupling_joins_are_neither_shown_nor_warned_of(self):
+        wireframe = self.make(small_job(n=3)).wireframe
+        edges = len(wireframe.Shape.Edges)
+        self.assertEqual(edges, 27 * 2 + 54 * 4)
+        wireframe.PoreSizeLaw, wireframe.PoreSizeLow = "constant", 4.1
+        wireframe.Couplings = wireframe.Couplings[:1]
+        self.document.recompute()
+        self.assertEqual(len(wireframe.Shape.Edges), 9 * 2 + 18 * 4)
+        self.assertEqual(len(wireframe.Warnings), 4)
+        self.assertNotIn("Face3", " ".join(wireframe.Warnings))
+
     def test_the_document_holds_the_wireframe_so_that_nothing_is_mended_again(self):
         wireframe = self.make(small_job(n=4, kind="box")).wireframe
         keys = computed(wireframe).keys()
