@@ -46,7 +46,7 @@ class BuildTest(WindowTest):
         panel.build()
         settle(0.5)
         FreeCAD.closeDocument(self.document.Name)
-        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 5))
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 30))
         self.assertIsNone(panel._building)
 
     def test_built_bodies_come_in_one_step_and_the_results_open(self):
@@ -57,7 +57,7 @@ class BuildTest(WindowTest):
         self.assertEqual(self.document.UndoNames, ["Design rods"])
         self.assertIn("Network", self.names())
         self.assertIn("Scaffold", self.names())
-        self.assertTrue(wait(lambda: isinstance(panels.current(), ResultsPanel), 5))
+        self.assertTrue(wait(lambda: isinstance(panels.current(), ResultsPanel), 30))
         report = panels.current()
         self.assertIn("75 rods, porosity", report.headline.text())
         self.assertTrue(all(check.ok for check in checks_of(self.wireframe())), checks_of(self.wireframe()))
@@ -76,7 +76,7 @@ class BuildTest(WindowTest):
         panels.current().reject()
         wireframe = self.wireframe()
         self.assertTrue(wireframe.ViewObject.Proxy.doubleClicked(wireframe.ViewObject))
-        self.assertTrue(wait(FreeCADGui.Control.activeDialog, 5))
+        self.assertTrue(wait(FreeCADGui.Control.activeDialog, 30))
         panel = panels.current()
         self.assertEqual(panel.fields.job().wireframe, wireframe.Proxy.parameters(wireframe))
         self.wait_for_estimate(panel)
@@ -97,7 +97,7 @@ class BuildTest(WindowTest):
         panels.current().reject()
         view = self.document.getObject("Network").ViewObject
         view.Proxy.doubleClicked(view)
-        self.assertTrue(wait(lambda: isinstance(panels.current(), ResultsPanel), 5))
+        self.assertTrue(wait(lambda: isinstance(panels.current(), ResultsPanel), 30))
 
     def test_rods_and_channels_are_switched(self):
         panel = self.open_preset("case1")

@@ -46,14 +46,14 @@ class PanelTest(WindowTest):
     def test_a_size_range_upside_down_is_refused_in_the_panel_and_nothing_is_lost(self):
         panel = self.open_preset("case1")
         type_into(panel.fields.pores.fields["size"].low.widget, "0.9")
-        self.assertTrue(wait(lambda: "low &lt;= high" in panel.outcome.message.text(), 5))
+        self.assertTrue(wait(lambda: "low &lt;= high" in panel.outcome.message.text(), 30))
         self.change(panel, lambda: type_into(panel.fields.pores.fields["size"].low.widget, "0.2"))
         self.assertEqual(panel.fields.job(), preset("case1"))
 
     def test_a_border_of_half_the_edge_is_refused_with_the_rule(self):
         panel = self.open_preset("case1")
         type_into(panel.fields.prism.fields["a_x"].widget, "5")
-        self.assertTrue(wait(lambda: "edge / 2 = 5 mm" in panel.outcome.message.text(), 5))
+        self.assertTrue(wait(lambda: "edge / 2 = 5 mm" in panel.outcome.message.text(), 30))
 
     def test_build_after_a_refused_value_shows_the_sentence_and_starts_nothing(self):
         panel = self.open_preset("case1")
@@ -90,7 +90,7 @@ class PanelTest(WindowTest):
     def test_closing_the_document_closes_the_panel(self):
         panel = self.open_preset("case1")
         FreeCAD.closeDocument(self.document.Name)
-        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 5))
+        self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 30))
         self.assertFalse(panel._open)
 
     def test_the_preview_leaves_nothing_in_the_scene(self):
