@@ -41,9 +41,7 @@ LAYERS = (
     (
         "shell",
         ("shell.*",),
-        (
-            *("stdlib", "numpy", "FreeCAD", ".errors", ".core", ".geometry", ".make", ".shell", ".bare"),
-        ),
+        (*("stdlib", "numpy", "FreeCAD", ".errors", ".core", ".geometry", ".make", ".shell", ".bare"),),
         (),
     ),
     (
