@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Sequence, Tuple
+from typing import Any, Callable, Optional, Sequence, Tuple
 
 import FreeCAD
 from PySide import QtGui
 
+from ..core.engines import Estimate
 from .child_work import Progress, time_text
 from .fields import row_widget
 from .qt import icon
@@ -31,6 +32,7 @@ class BuildBar(QtGui.QWidget):
     ) -> None:
         super().__init__()
         self.boxes = {}
+        self._estimate = ""
         self._choice, self._work = row_widget(), row_widget()
         for kind, text, chosen in kinds:
             box = QtGui.QCheckBox(text)
@@ -61,6 +63,17 @@ class BuildBar(QtGui.QWidget):
         button.clicked.connect(lambda *_: pressed())
         return button
 
+    def show_estimate(self, work: Optional[Estimate]) -> None:
+        """Show what the scaffold will take before it is built, at least where that is not little."""
+        self._estimate = ""
+        if work is not None:
+            size = f"{work.bytes / 1e9:.2f} GB" if work.bytes > 1e8 else f"{work.bytes / 1e6:.0f} MB"
+            text = translate("Trabecula", "Scaffold: {} engine, about {}, {}")
+            self._estimate = text.format(work.engine, time_text(work.seconds), size)
+            self.what.setToolTip(work.reason)
+        if self._work.isHidden():
+            self.show_idle()
+
     def chosen(self) -> Tuple[str, ...]:
         """Return the kinds that are to be built."""
         return tuple(kind for kind, box in self.boxes.items() if box.isChecked())
@@ -69,7 +82,8 @@ class BuildBar(QtGui.QWidget):
         """Show the switches and the button."""
         self._choice.show()
         self._work.hide()
-        self.what.hide()
+        self.what.setText(self._estimate)
+        self.what.setVisible(bool(self._estimate))
 
     def show_working(self) -> None:
         """Show the bar, empty, in their place."""

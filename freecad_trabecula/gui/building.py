@@ -15,6 +15,7 @@ from ..core.job import Job
 from ..core.records import to_record
 from ..errors import DependencyError, KernelError, TrabeculaError
 from ..features.tasks import write_job_task
+from . import transactions
 from .child_work import ChildWork, Progress, task_work
 from .install import PACKAGE
 from .qt import invoke_later
@@ -115,6 +116,7 @@ class Writing:
         self._steps += [lambda kind=kind: self._write_body(kind) for kind in kinds]
         self._steps += [lambda: _show(self._wireframe())]
         self._document: Any = None
+        self._unfinished = ""
 
     def start(self) -> None:
         """Open the step to undo and begin."""
@@ -149,6 +151,8 @@ class Writing:
                 self._document.commitTransaction()
                 self._document = None
                 self._listener.done()
+                if self._unfinished:
+                    transactions.show_error(self._unfinished)
 
     def _write_design(self) -> None:
         target = self._target
@@ -174,7 +178,12 @@ class Writing:
         there = {one.Proxy.KIND: one for one in products_of(self._wireframe())}
         parameters = "" if kind == "network" else ", job.scaffold"
         if kind not in there:
-            record(f"make.{MAKERS[kind]}(wireframe{parameters})")
+            try:
+                record(f"make.{MAKERS[kind]}(wireframe{parameters})")
+            except KernelError as error:
+                if kind != "solid":
+                    raise
+                self._unfinished = str(error)  # it says how far it came; the mesh stands
             return
         record(f"body = document.getObject({there[kind].Name!r})")
         if parameters:
@@ -194,6 +203,7 @@ def _show(wireframe: Any) -> None:
         obj.ViewObject.Visibility = not bodies
     if not bodies:
         wireframe.Envelope.ViewObject.Transparency = max(wireframe.Envelope.ViewObject.Transparency, 85)
-    scaffolds = [one for one in bodies if one.Proxy.KIND != "network"]
+    # one at a time: the scaffold as a mesh and as a solid lie in the same place
+    seen = min(bodies, key=lambda one: ("scaffold", "solid", "network").index(one.Proxy.KIND), default=None)
     for one in bodies:
-        one.ViewObject.Visibility = one in scaffolds or not scaffolds
+        one.ViewObject.Visibility = one is seen

@@ -195,6 +195,7 @@ class DesignPanel:
     def _show_estimate(self, estimate: Estimate) -> None:
         if self._open:
             self.outcome.show_estimate(estimate)
+            self.build_bar.show_estimate(estimate.work)
 
     def _show_parts(self) -> None:
         if self._open and hasattr(self, "preview"):
@@ -246,6 +247,7 @@ class DesignPanel:
         return False
 
     def _close(self) -> None:
+        self._clear_view.forget()  # paths are to be seen inside the envelope
         self._leave()
         FreeCADGui.Control.closeDialog()
 
@@ -304,6 +306,8 @@ class DesignPanel:
     def _built(self) -> None:
         self._building = None
         name = self.document.Name  # not the document: it may be closed by then
+        self._clear_view.restore(visibility=False)
+        self._clear_view.forget()
         self._leave()
         FreeCADGui.Control.closeDialog()
         invoke_later(lambda: panels.open_results(name))

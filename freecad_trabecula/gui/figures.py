@@ -36,9 +36,14 @@ def headline(wireframe: Any) -> str:
     """Return the most important numbers of a design."""
     text = translate("Trabecula", "{} rods").format(wireframe.Rods)
     for one in products_of(wireframe):
-        if hasattr(one, "Porosity") and one.EngineUsed:
+        if volume_of(one, "ScaffoldVolume"):
             return text + translate("Trabecula", ", porosity {:.2f} %").format(one.Porosity)
     return text
+
+
+def volume_of(obj: Any, name: str) -> float:
+    """Return a volume that an object may have, mm³; 0 if it has none."""
+    return float(getattr(getattr(obj, name, 0.0), "Value", 0.0))
 
 
 def notes_of(wireframe: Any) -> List[str]:
@@ -57,7 +62,9 @@ def figures_of(wireframe: Any) -> List[Figure]:
     for one in products_of(wireframe):
         if hasattr(one, "RodVolume"):
             rows.append(Figure(translate("Trabecula", "Sum of the rods, mm³"), f"{one.RodVolume.Value:.3f}"))
-        elif hasattr(one, "Porosity") and one.EngineUsed:
+        elif one.Proxy.KIND == "solid" and one.ScaffoldVolume.Value:
+            rows += solid_figures(one)
+        elif one.Proxy.KIND == "scaffold" and one.EngineUsed:
             rows += scaffold_figures(one, wireframe.Rods)
     return rows
 
@@ -83,6 +90,18 @@ def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:
     ]
 
 
+def solid_figures(solid: Any) -> List[Figure]:
+    """Return the figures of a scaffold as a solid."""
+    return [
+        Figure(translate("Trabecula", "STEP scaffold: porosity"), f"{solid.Porosity:.3f} %"),
+        Figure(translate("Trabecula", "STEP scaffold: volume"), f"{solid.ScaffoldVolume.Value:.3f} mm³"),
+        Figure(
+            translate("Trabecula", "STEP scaffold: rods cut"), f"{solid.RodsCut} / {solid.RodsWanted}", solid.Reason
+        ),
+        Figure(translate("Trabecula", "STEP scaffold: time"), f"{solid.Seconds:.1f} s"),
+    ]
+
+
 def checks_of(wireframe: Any) -> List[Checked]:
     """Return all that must hold of a design and its bodies."""
     rows = []
@@ -94,15 +113,21 @@ def checks_of(wireframe: Any) -> List[Checked]:
     for one in products_of(wireframe):
         name = translate("Trabecula", "{} is up to date and without error").format(one.Label)
         rows.append(Checked(name, bool(one.UpToDate) and not one.Status.startswith("error"), one.Status))
-        if hasattr(one, "RodVolume") and one.RodVolume.Value:
+        if volume_of(one, "RodVolume"):
             name = translate("Trabecula", "Rods as solids and as meshes, mm³")
-            found = translate("Trabecula", "{:.3f} against {:.3f}, {:.3g} % apart; worst rod {:.3g} % (at most {:g} %)")
-            volumes = one.RodVolume.Value, one.MeshVolume.Value
-            most = 100 * MOST_DIFFERENCE
-            found = found.format(*volumes, one.Difference, one.LargestDifference, most)
-            rows.append(Checked(name, one.LargestDifference <= most, found))
+            rows.append(two_routes(name, one.RodVolume.Value, one.MeshVolume.Value, one.LargestDifference))
+        elif volume_of(one, "SolidVolume"):
+            name = translate("Trabecula", "Scaffold as solid and as mesh, mm³")
+            rows.append(two_routes(name, one.SolidVolume.Value, one.MeshVolume.Value, one.Difference))
         rows += [checked(text) for text in getattr(one, "Checks", [])]
     return rows
+
+
+def two_routes(name: str, solid: float, mesh: float, worst: float) -> Checked:
+    """Return the check of a volume by the kernel against that of the mesh; ``worst`` is the largest difference, %."""
+    most = 100 * MOST_DIFFERENCE
+    found = translate("Trabecula", "{:.3f} against {:.3f}, at most {:.3g} % apart (allowed: {:g} %)")
+    return Checked(name, worst <= most, found.format(solid, mesh, worst, most))
 
 
 def checked(text: str) -> Checked:

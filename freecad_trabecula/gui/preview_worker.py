@@ -18,12 +18,13 @@ import numpy as np
 import Part
 from PySide import QtCore
 
+from ..core import engines
 from ..core.assembly import draft_wireframe
 from ..core.couplings import CouplingRow
 from ..core.job import Job
 from ..core.parameters import PrismParameters
 from ..core.rays import union_volume
-from ..core.rods import rod_triangles, rod_volumes
+from ..core.rods import rod_mesh, rod_volumes
 from ..core.wireframe import Wireframe, skin
 from ..errors import Cancelled, TrabeculaError
 from ..features.tasks import job_inputs
@@ -63,13 +64,17 @@ class Outline(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """Porosity of the rods' union and its error, plain sum of the rods, shares of 1; warnings; whether it is final."""
+    """Porosity of the rods' union and its error, plain sum of the rods, shares of 1; warnings; whether it is final.
+
+    ``work`` is what the engine that would be taken needs for the scaffold; None if there are no rods.
+    """
 
     porosity: float
     error: float
     plain_sum: float
     warnings: Sequence[str]
     is_mended: bool = True
+    work: Optional[engines.Estimate] = None
 
 
 class PreviewWorker(QtCore.QObject):
@@ -191,13 +196,17 @@ class PreviewWorker(QtCore.QObject):
         plain_sum = float(rod_volumes(rods).sum()) / envelope.volume
         # the ends of rods lie in a prism's faces; on curved ones they must reach out, to be cut off there
         is_prism = request.solid is None
-        triangles = rod_triangles(rods, 0.0 if is_prism else wireframe.mean_size)
+        vertices, triangles = rod_mesh(rods, 0.0 if is_prism else wireframe.mean_size)
+        self._progress(0, 1, "")
+        work = engines.choose(request.job.scaffold, vertices, triangles, envelope.low, envelope.high)
+        corners = vertices[:, triangles].reshape(-1, 3, 3)
         self._progress(0, 1, "")
         rays = int(np.clip(_MOST_RAYS * (_RODS_FOR_MOST / len(wireframe)) ** 0.5, _LEAST_RAYS, _MOST_RAYS))
         axis = int(np.argmin(envelope.high - envelope.low))
         inside = None if is_prism else envelope.mesh.corners
-        union = union_volume(triangles, envelope.low, envelope.high, rays, axis, inside)
-        return Estimate(union.volume / envelope.volume, union.error / envelope.volume, plain_sum, warnings)
+        union = union_volume(corners, envelope.low, envelope.high, rays, axis, inside)
+        shares = union.volume / envelope.volume, union.error / envelope.volume
+        return Estimate(*shares, plain_sum, warnings, work=work)
 
 
 def _most_rods(inputs: Inputs) -> int:
