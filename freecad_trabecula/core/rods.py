@@ -285,8 +285,8 @@ def narrowest_areas(rods: Rods) -> np.ndarray:
 def true_volumes(paths: np.ndarray, ends: RodEnds) -> np.ndarray:
     """Return the volumes (R,), mm3, that the rods' meshes tend to as their stations grow more.
 
-    Richardson's extrapolation from 64 and 128 intervals: a mesh between its sections errs by the square of their
+    Richardson's extrapolation from 128 and 256 intervals: a mesh between its sections errs by the square of their
     distance. The measure of a rod's solid, which no deflection blurs.
     """
-    coarse, fine = (rod_volumes(build_rods(paths, ends, n + 1, _RING, to_bends=True)) for n in (64, 128))
+    coarse, fine = (rod_volumes(build_rods(paths, ends, n + 1, _RING, to_bends=True)) for n in (128, 256))
     return (4 * fine - coarse) / 3

@@ -16,9 +16,10 @@ from ..core.strips import Strips, rod_strips, ruled, straight
 from ..core.wireframe import Wireframe, without
 from ..errors import KernelError
 from .brep_text import BrepText, places, read_brep
+from .spline_solids import spline_solid
 
 VOLUME_TOLERANCE = 1e-3  # relative, of a solid's volume against that of its triangles
-_MORE = 5  # times that the number of sections is doubled where the volume is another
+_MORE = 3  # times that the number of sections is doubled where the volume is another
 
 
 def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progress = silent) -> Iterator[Part.Shape]:
@@ -60,6 +61,9 @@ def rod_solids(wireframe: Wireframe, parameters: RodParameters, progress: Progre
             more = _halves(parameters.stations) * 2**doubling
             solid = read_brep(rod_texts(without(wireframe, np.array([k])), more)[0])
             volume = solid.Volume
+        if not _close(volume, expected[k]):
+            bent = spline_solid(without(wireframe, np.array([k])), float(expected[k]), VOLUME_TOLERANCE)
+            solid, volume = (bent, bent.Volume) if bent else (solid, volume)
         if not _close(volume, expected[k]):
             raise KernelError(
                 f"a rod's solid must have its mesh's volume within {VOLUME_TOLERANCE:g}, got {volume:g} and "
