@@ -16,6 +16,7 @@ from PySide import QtCore, QtGui
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 MOST_DIGITS = 4  # of a length in mm that is shown; the value itself keeps all
 Buttons = QtGui.QDialogButtonBox
+FreeCADGui.addIconPath(str(RESOURCES / "icons"))
 
 
 def run_dialog(dialog: Any) -> bool:
@@ -46,8 +47,8 @@ def icon_path(name: str) -> str:
 
 
 def icon(name: str) -> Any:
-    """Return an icon of the workbench."""
-    return QtGui.QIcon(icon_path(name))
+    """Return an icon of the workbench, drawn by FreeCAD: Qt's own reader of SVG may not be installed."""
+    return FreeCADGui.getIcon(name)
 
 
 def is_alive(widget: Any) -> bool:
@@ -95,13 +96,13 @@ def set_length(box: Any, length: float) -> None:
 
 
 def small_button(name: str, tip: str, pressed: Any, text: str = "", checkable: bool = False) -> Any:
-    """Return a flat button with one of Qt's or FreeCAD's icons, or a text."""
+    """Return a flat button with one of our or FreeCAD's icons, or a text."""
     button = QtGui.QToolButton()
     button.setAutoRaise(True)
     if text:
         button.setText(text)
     else:
-        button.setIcon(icon(name) if Path(icon_path(name)).is_file() else FreeCADGui.getIcon(name))
+        button.setIcon(icon(name))
     button.setToolTip(tip)
     button.setCheckable(checkable)
     (button.toggled if checkable else button.clicked).connect(pressed)
