@@ -18,6 +18,18 @@ class MeshError(TrabeculaError, ValueError):
     """A triangle mesh is not what it must be: open, empty, inside out."""
 
 
+class ContourError(TrabeculaError, ValueError):
+    """Contours, or a file of them, are not what they must be: open, crossing, out of order."""
+
+
+class InfeasibleError(TrabeculaError, ValueError):
+    """No voxel design has the layer counts asked for; the message names the layers that contradict each other."""
+
+
+class ExactnessError(TrabeculaError, RuntimeError):
+    """A search for a voxel design with the exact layer counts gave up; none that is nearly right is passed on."""
+
+
 class KernelError(TrabeculaError, RuntimeError):
     """The geometry kernel failed, or gave a result that a second route contradicts."""
 

@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 PLAIN = [
     "freecad_trabecula.errors",
-    *("freecad_trabecula.core." + p.stem for p in ROOT.glob("freecad_trabecula/core/*.py")),
+    *(".".join(p.relative_to(ROOT).with_suffix("").parts) for p in ROOT.glob("freecad_trabecula/core/**/*.py")),
 ]
 #: Those of the command line that need no FreeCAD.
 PLAIN += ["freecad_trabecula.shell." + name for name in ("arguments", "folder", "launch")]

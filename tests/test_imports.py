@@ -18,7 +18,12 @@ PACKAGE = "freecad_trabecula"
 LAYERS = (
     # name, modules, imports, imports inside functions
     ("bare", ("errors", "__main__", "shell.arguments", "shell.launch"), ("stdlib", ".bare"), ()),
-    ("core", ("core.*",), ("stdlib", "numpy", ".errors", ".core"), ("scipy", "manifold3d")),
+    (
+        "core",
+        ("core.*",),
+        ("stdlib", "numpy", ".errors", ".core"),
+        ("scipy", "manifold3d", "matplotlib", "openpyxl", "PIL"),
+    ),
     (
         "geometry",
         ("geometry.*",),

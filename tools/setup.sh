@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 #
 # Installs what Trabecula needs on Debian, if it is missing, and says what it installs:
-#   by apt (as root, or with sudo): FreeCAD, a display without a screen (Xvfb), numpy, scipy, pytest, pip;
+#   by apt (as root, or with sudo): FreeCAD, a display without a screen (Xvfb), numpy, scipy, pytest, pip, matplotlib (plots), openpyxl (workbooks), Pillow (images);
 #   by pip, into FreeCAD's own folder for additional packages: manifold3d, the library of mesh Booleans.
 # Does nothing, within a second or two, when nothing is missing.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd -P)
 packages="freecad xvfb xauth libgl1-mesa-dri libxkbcommon-x11-0 python3-numpy python3-scipy python3-pytest python3-pip"
+packages="$packages python3-matplotlib python3-openpyxl python3-pil"
 # Debian's own Python: the one that apt's numpy and FreeCAD belong to, whatever else is first on PATH.
 python=/usr/bin/python3
 manifold=manifold3d==3.5.4

@@ -43,6 +43,11 @@ class Session:
         from freecad_trabecula.shell import launch
 
         self._errors, self._launch = errors, launch
+        # What was given is wrong, as against: something went wrong.
+        self._refusals = (
+            *(errors.ParameterError, errors.EnvelopeError, errors.DependencyError),
+            *(errors.ContourError, errors.InfeasibleError),
+        )
         self.code = launch.FAILED
         self._lock = threading.Lock()
         self._stopped = threading.Event()
@@ -101,7 +106,7 @@ class Session:
         if isinstance(error, errors.Cancelled):
             self.code = launch.STOPPED
             self.report("error", text=str(error))
-        elif isinstance(error, (errors.ParameterError, errors.EnvelopeError, errors.DependencyError)):
+        elif isinstance(error, self._refusals):
             self.code = launch.WRONG_INPUT
             self.report("error", text=str(error))
         elif isinstance(error, errors.ExportError):
