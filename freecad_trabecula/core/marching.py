@@ -208,7 +208,7 @@ class Surface:
 
     def mesh(self) -> Mesh:
         """Return the surface; the builder is empty afterwards."""
-        return Mesh(_stacked(self._points, np.float64), _stacked(self._triangles, np.int64))
+        return Mesh(_stacked(self._points, np.float64), _stacked(self._triangles, np.int32))
 
 
 def _changes(inside: np.ndarray) -> List[np.ndarray]:

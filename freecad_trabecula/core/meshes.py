@@ -11,6 +11,7 @@ import numpy as np
 from ..errors import MeshError
 
 _BLOCK = 200_000  # triangles worked on at once: about 60 MB of temporary arrays
+_EDGE_BLOCK = 2_000_000  # triangles whose edges are sorted at once, while a mesh is checked: about 100 MB
 _NUDGES = 1000  # rounds of nudging; each moves a point further than the one before, so a few are enough
 
 
@@ -21,7 +22,7 @@ class Mesh:
     Attributes
     ----------
     vertices : ndarray of shape (V, 3), float64, mm
-    triangles : ndarray of shape (T, 3), int64
+    triangles : ndarray of shape (T, 3), int64; int32 is kept, to halve the memory of millions of triangles
         Numbers of the vertices.
 
     Raises
@@ -34,7 +35,8 @@ class Mesh:
     triangles: np.ndarray
 
     def __post_init__(self) -> None:
-        for name, dtype in (("vertices", np.float64), ("triangles", np.int64)):
+        short = getattr(self.triangles, "dtype", None) == np.int32
+        for name, dtype in (("vertices", np.float64), ("triangles", np.int32 if short else np.int64)):
             array = np.asarray(getattr(self, name), dtype)
             if array.ndim != 2 or array.shape[1] != 3:
                 raise MeshError(f"{name} of a mesh must have the shape (count, 3), got {array.shape}")
@@ -116,24 +118,40 @@ def directed_edges(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
     return mesh.triangles.T.ravel(), mesh.triangles[:, [1, 2, 0]].T.ravel()
 
 
-def _edge_keys(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
-    """Sorted numbers of the edges that run up (in vertex numbers) and of those that run down, one number both ways."""
-    start, end = directed_edges(mesh)
-    count, up, down = len(mesh.vertices), start < end, start > end
-    return np.sort(start[up] * count + end[up]), np.sort(end[down] * count + start[down])
+def _edge_keys(mesh: Mesh, first: int, last: int) -> Tuple[np.ndarray, np.ndarray]:
+    """Sorted numbers of the edges that run up (in vertex numbers) and of those that run down, one number both ways.
+
+    Of the edges whose lower vertex is ``first`` .. ``last - 1``.
+    """
+    corners, keys = mesh.triangles.T, []
+    for start, end in ((0, 1), (1, 0)):
+        found = []
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            low, high = corners[(a, b)[start]], corners[(a, b)[end]]
+            chosen = np.flatnonzero((low < high) & (low >= first) & (low < last))
+            key = low[chosen].astype(np.int64)
+            key *= len(mesh.vertices)
+            key += high[chosen]
+            found.append(key)
+        keys.append(np.concatenate(found))
+        keys[-1].sort()
+    return keys[0], keys[1]
 
 
 def is_closed(mesh: Mesh) -> bool:
     """Return True if every edge is in exactly two triangles that run along it opposite ways; False if empty."""
-    up, down = _edge_keys(mesh)
-    if not len(up) or len(up) != len(down) or 2 * len(up) != 3 * len(mesh.triangles):
-        return False
-    return bool((up == down).all() and (up[1:] > up[:-1]).all())
+    blocks, count, found = 1 + len(mesh.triangles) // _EDGE_BLOCK, len(mesh.vertices), 0
+    for k in range(blocks):
+        up, down = _edge_keys(mesh, k * count // blocks, (k + 1) * count // blocks)
+        if len(up) != len(down) or (up != down).any() or (up[1:] == up[:-1]).any():
+            return False
+        found += len(up)
+    return bool(found) and 2 * found == 3 * len(mesh.triangles)
 
 
 def edge_faults(mesh: Mesh) -> EdgeFaults:
     """Return the counts of what keeps a mesh from being closed."""
-    up, down = _edge_keys(mesh)
+    up, down = _edge_keys(mesh, 0, len(mesh.vertices))
     keys = np.concatenate([up, down])
     order = np.argsort(keys, kind="stable")
     first = np.flatnonzero(np.diff(keys[order], prepend=-1))
@@ -170,7 +188,7 @@ def components(mesh: Mesh) -> np.ndarray:
     neighbour with a lower number points to one of them, chains are cut short to their roots, edges inside a tree drop
     out.
     """
-    root = np.arange(len(mesh.vertices))
+    root = np.arange(len(mesh.vertices), dtype=mesh.triangles.dtype)
     a, b = mesh.triangles[:, :2].ravel(), mesh.triangles[:, 1:].ravel()
     while len(a):
         root[np.maximum(a, b)] = np.minimum(a, b)  # always to a lower number: no circles, whichever wins
@@ -185,7 +203,7 @@ def components(mesh: Mesh) -> np.ndarray:
     of_triangle = root[mesh.triangles[:, 0]]
     used = np.zeros(len(root), bool)
     used[of_triangle] = True
-    return (np.cumsum(used) - 1)[of_triangle]
+    return (np.cumsum(used, dtype=root.dtype) - 1)[of_triangle]
 
 
 def split(mesh: Mesh) -> List[Mesh]:

@@ -131,7 +131,7 @@ def _selected(mesh: Mesh, chosen: np.ndarray) -> Mesh:
     triangles = mesh.triangles[chosen]
     used = np.zeros(len(mesh.vertices), bool)
     used[triangles] = True
-    return Mesh(mesh.vertices[used], (np.cumsum(used) - 1)[triangles])
+    return Mesh(mesh.vertices[used], (np.cumsum(used, dtype=triangles.dtype) - 1)[triangles])
 
 
 def _owners(inner: Sequence[Tuple[float, Mesh]], outer: Sequence[Tuple[float, Mesh]]) -> List[int]:

@@ -80,7 +80,7 @@ def _closed(mesh: Any) -> meshes.Mesh:
 
 def _holes(mesh: meshes.Mesh) -> int:
     """Return the number of holes: pieces of the open border that hang together."""
-    start, end = meshes.directed_edges(mesh)
+    start, end = (ends.astype(np.int64) for ends in meshes.directed_edges(mesh))
     key = np.minimum(start, end) * len(mesh.vertices) + np.maximum(start, end)
     _, inverse, uses = np.unique(key, return_inverse=True, return_counts=True)
     one = uses[inverse] == 1
