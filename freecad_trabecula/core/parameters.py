@@ -182,6 +182,8 @@ class FaceParameters:
 
     def __post_init__(self) -> None:
         require(bool(self.face), "a face must be named", repr(self.face))
+        # sites are called Face1.2.-3
+        require("." not in self.name, "the short name of a face must hold no dot", repr(self.name))
         for value, name in ((self.c_u, "c_u"), (self.c_v, "c_v")):
             require(
                 math.isfinite(value) and value > 0, f"the spacing {name} must be greater than 0", f"{value:g}", "mm"

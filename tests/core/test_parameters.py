@@ -50,6 +50,7 @@ def test_parameters_cannot_be_changed_behind_the_checks(cls):
         (lambda: p.FaceParameters(b_v=-1.0), "border distance b_v must be at least 0, got -1 mm"),
         (lambda: p.FaceParameters(d1=(0.0, 0.0, 0.0)), "direction d1 must not be zero"),
         (lambda: p.FaceParameters(face=""), "must be named"),
+        (lambda: p.FaceParameters(name="A.1"), "short name of a face must hold no dot, got 'A.1'"),
         (lambda: p.Coupling("A", ""), "two faces"),
         (lambda: p.Coupling("A", "B", "nearest"), "random, same"),
         (lambda: p.Coupling("A", "B", limit=-1), "got -1"),
