@@ -10,9 +10,9 @@ from typing import Iterator, List, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from ..errors import MeshError
-from .booleans import combine, cut_bodies
+from .booleans import combine, cut_bodies, manifold_available, split_body
 from .engines import Estimate, choose
-from .field import field_bodies
+from .field import field_bodies, field_union, fills_its_box
 from .layers import LayeredBody, Patch, layered_body, reaches
 from .meshes import Mesh, bounds, edge_faults, is_closed, mesh_volume, printable, require_closed
 from .parameters import Coupling, ScaffoldParameters
@@ -264,7 +264,14 @@ def _cut(
     if chosen.engine == "mesh":
         cut = cut_bodies(vertices, triangles, layered.body, layered.closed_by, progress)
         return [cut.scaffold, cut.channels]
-    meshes = field_bodies(vertices[:, triangles].reshape(-1, 3, 3), layered.body, cell, progress).meshes
+    corners, body = vertices[:, triangles].reshape(-1, 3, 3), layered.body
+    if manifold_available() and (layered.closed_by or not fills_its_box(body, cell)):
+        # One Boolean of two meshes keeps the rims exact; of a box cells keep them by themselves.
+        low, high = bounds(body)
+        rods = field_union(corners, low - cell, high + cell, cell, part(progress, 0.0, 0.8))
+        cut = split_body(body, rods, layered.closed_by, part(progress, 0.8, 1.0))
+        return [cut.scaffold, cut.channels]
+    meshes = field_bodies(corners, body, cell, progress).meshes
     return [meshes["scaffold"], meshes["channels"]]
 
 

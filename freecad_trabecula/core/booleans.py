@@ -178,11 +178,29 @@ def cut_bodies(
         As for ``unite``.
     """
     library = _library()
-    whole = _solid(library, body.vertices, body.triangles, "the envelope")
     rods = _united(library, vertices, triangles, part(progress, 0.0, 0.9))
+    return _split(library, body, rods, closed_by, part(progress, 0.9, 1.0))
+
+
+def split_body(body: Mesh, rods: Mesh, closed_by: Sequence[Mesh] = (), progress: Progress = silent) -> CutBodies:
+    """Return the scaffold and the channels as ``cut_bodies`` does, of rods that are one closed mesh already.
+
+    Raises
+    ------
+    DependencyError, MeshError
+        As for ``unite``.
+    """
+    library = _library()
+    return _split(
+        library, body, _solid(library, rods.vertices, rods.triangles, "the union of rods"), closed_by, progress
+    )
+
+
+def _split(library: Any, body: Mesh, rods: Any, closed_by: Sequence[Mesh], progress: Progress) -> CutBodies:
+    whole = _solid(library, body.vertices, body.triangles, "the envelope")
     for layer in closed_by:
         rods = rods - _solid(library, layer.vertices, layer.triangles, "a layer")
-    progress(0.9, 1.0, "envelope less rods")
+    progress(0.0, 1.0, "envelope less rods")
     inside, outside = whole.split(rods)
     bodies = CutBodies(_mesh(outside), _mesh(inside), float(whole.volume()))
     progress(1.0, 1.0, "envelope less rods")

@@ -129,21 +129,21 @@ def choose(
     Raises
     ------
     ParameterError
-        If the field engine is named though closed layers need a Boolean.
+        If the field engine is named, closed layers need a Boolean, and manifold3d is not installed.
     """
     layers = parameters.layers
     closed = bool(layers.faces) and layers.closed
-    if parameters.engine == "field" and closed:
+    if parameters.engine == "field" and closed and not manifold_available():
         raise ParameterError(
-            "closed layers need the mesh engine (a Boolean takes them out of the rods), got 'field'; "
-            "choose mesh or auto, or layers that are not closed"
+            f"closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {INSTALL}; "
+            "or choose layers that are not closed"
         )
     sizes = [estimate(vertices, triangles, low, high, parameters.cell, engine) for engine in ("mesh", "field")]
     mesh, field = sizes
     if parameters.engine != "auto":
         return field if parameters.engine == "field" else mesh
-    if closed:
-        return mesh._replace(reason=mesh.reason + "; closed layers need it")
+    if closed and not manifold_available():
+        return mesh._replace(reason=mesh.reason + "; closed layers need a Boolean")
     if not manifold_available():
         return field._replace(reason=f"{field.reason}; the exact mesh engine needs manifold3d: {INSTALL}")
     if mesh.seconds > LONGEST:

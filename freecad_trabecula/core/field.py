@@ -9,7 +9,7 @@ stays bounded. The result does not depend on the slabs: a ray has the same place
 Volumes err with the square of the cell: chords cut curves, and edges sharper than a cell are blunted. Measured: 147
 curved rods of 0.2 to 0.8 mm, scaffold 0.24 % at 0.1 mm and 0.05 % at 0.05 mm; 1,200 rods 0.005 % at 0.1 mm (the two
 errors have opposite signs); an envelope that is no box is blunted at its rims as well, 0.9 % of the scaffold at 0.1
-mm.
+mm, unless it is cut with ``field_union`` by one Boolean.
 """
 
 from __future__ import annotations
@@ -143,6 +143,11 @@ def field_bodies(
     progress(top, top, "joining the slabs")
     figures = FieldFigures(tuple(nodes.step.tolist()), int(np.prod(nodes.cells + 1)), rays.several, rays.lost)
     return FieldBodies({name: surface.mesh() for name, surface in surfaces.items()}, figures)
+
+
+def fills_its_box(envelope: Mesh, cell: float) -> bool:
+    """Return True for a box along the axes: cells keep its rims sharp, those of any other body they blunt."""
+    return NodeGrid.of_envelope(envelope, cell).flush
 
 
 def field_union(

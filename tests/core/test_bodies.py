@@ -204,6 +204,25 @@ def test_the_field_engine_cuts_through_open_outward_layers_too():
 
 
 @needs_manifold
+def test_the_field_engine_leaves_closed_inward_layers_uncut():
+    layers = ScaffoldParameters("field", 0.2, layers=LayerParameters(BOTH, 1.0, "inwards", True))
+    bodies = made(CHANNEL, layers, patches=plate_faces())
+    # a channel of 2 x 2 mm through 10 mm, closed by 1 mm at both ends
+    assert bodies.union_volume == pytest.approx(2 * 2 * 8, rel=1e-2)  # cells of 0.2 mm blunt its four edges
+    assert bodies.ok
+
+
+@needs_manifold
+def test_the_field_engine_keeps_the_rims_of_a_turned_box_sharp():
+    turn = np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+    turned = Mesh(ENVELOPE.vertices @ turn.T, ENVELOPE.triangles)
+    bodies = made(CHANNEL @ turn.T, FIELD, envelope=turned)
+    assert bodies.parts.scaffold_volume == pytest.approx(1000 - 2 * 2 * 10, rel=1e-3)
+    assert bodies.parts.scaffold_volume + bodies.parts.channel_volume == pytest.approx(1000, rel=1e-9)
+    assert bodies.ok
+
+
+@needs_manifold
 def test_an_inward_layer_without_effect_is_noted():
     layers = ScaffoldParameters("mesh", layers=LayerParameters(BOTH, 1.0, "inwards", False))
     assert "nothing changes" in made(CHANNEL, layers, patches=plate_faces()).notes[0]

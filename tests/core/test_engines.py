@@ -91,14 +91,16 @@ def test_without_manifold3d_the_field_engine_serves_and_the_reason_says_what_to_
     assert "pip install" in found.reason
 
 
-def test_closed_layers_need_the_mesh_engine_however_many_rods():
+def test_closed_layers_need_a_boolean_however_many_rods(monkeypatch):
+    monkeypatch.setattr(engines, "manifold_available", lambda: False)
     found = choice(1500, layers=LayerParameters(("Face6",)))
     assert found.engine == "mesh"
-    assert found.reason.endswith("closed layers need it")
+    assert found.reason.endswith("closed layers need a Boolean")
 
 
-def test_closed_layers_by_the_field_engine_are_refused():
-    with pytest.raises(ParameterError, match="closed layers need the mesh engine .* got 'field'"):
+def test_closed_layers_by_the_field_engine_are_refused_without_manifold3d(monkeypatch):
+    monkeypatch.setattr(engines, "manifold_available", lambda: False)
+    with pytest.raises(ParameterError, match="closed layers need a Boolean.*manifold3d"):
         choice(3, engine="field", layers=LayerParameters(("Face6",)))
 
 
