@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A voxel design: targets in, exact voxels out (thesis chapter 6)."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from typing import Mapping, Optional, Tuple
+
+import numpy as np
+
+from ...errors import ParameterError
+from ..progress import Progress, part, silent
+from .feasibility import check_feasible
+from .parameters import VoxelParameters
+from .strategies import find_strategy
+from .targets import Targets
+from .verification import check_exact
+
+#: Below so many voxels of mean thickness much of the bone lies outside any block of 2 x 2 x 2 voxels.
+LEAST_THICKNESS = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class VoxelDesign:
+    """Voxels with exactly the counts asked for, and what they were made from.
+
+    Attributes
+    ----------
+    voxels : ndarray of shape (P, M, N), bool
+        Solid voxels; axes [z, y, x].
+    targets : Targets
+    parameters : VoxelParameters
+    mask : ndarray of shape (P, M, N), bool, or None
+        The envelope; None is the whole box.
+    seconds : dict
+        Time of each phase.
+    notes : tuple of str
+        What the user should know.
+    """
+
+    voxels: np.ndarray
+    targets: Targets
+    parameters: VoxelParameters
+    mask: Optional[np.ndarray] = None
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    notes: Tuple[str, ...] = ()
+
+    @property
+    def alpha(self) -> np.ndarray:
+        """Voxels in each line (x, z), ndarray of shape (N, P), int64: the table of system (6.5)."""
+        return self.voxels.sum(1, dtype=np.int64).T
+
+    @property
+    def beta(self) -> np.ndarray:
+        """Voxels in each line (y, z), ndarray of shape (M, P), int64: the table of system (6.9)."""
+        return self.voxels.sum(2, dtype=np.int64).T
+
+
+def make_design(
+    targets: Targets,
+    parameters: VoxelParameters,
+    mask: Optional[np.ndarray] = None,
+    progress: Progress = silent,
+) -> VoxelDesign:
+    """Return a design that has exactly the voxels asked for in every layer along X, Y and Z.
+
+    Parameters
+    ----------
+    targets : Targets
+    parameters : VoxelParameters
+    mask : ndarray of shape (P, M, N), bool, optional
+        Cells that may be solid.
+    progress : callable
+        May raise ``Cancelled``.
+
+    Raises
+    ------
+    InfeasibleError
+        If there is no such design; the message names the layers that contradict each other.
+    ExactnessError
+        If the search gave up.
+    ParameterError
+        If the mask has another shape than the targets, or no cells.
+    """
+    seconds = {}
+    start = time.perf_counter()
+    mask = _checked_mask(mask, targets)
+    check_feasible(targets, parameters, mask)
+    seconds["feasibility"] = time.perf_counter() - start
+    start = time.perf_counter()
+    strategy = find_strategy(parameters.strategy)
+    voxels = strategy.design(targets, parameters, mask, part(progress, 0.0, 0.95))
+    seconds["design"] = time.perf_counter() - start
+    start = time.perf_counter()
+    progress(0.97, 1.0, "verification")
+    check_exact(voxels, targets)
+    seconds["verification"] = time.perf_counter() - start
+    return VoxelDesign(voxels, targets, parameters, mask, seconds, tuple(target_notes(targets)))
+
+
+def _checked_mask(mask: Optional[np.ndarray], targets: Targets) -> Optional[np.ndarray]:
+    if mask is None:
+        return None
+    mask = np.asarray(mask, bool)
+    if mask.shape != targets.shape:
+        raise ParameterError(f"a mask for these targets must have the shape {targets.shape}, got {mask.shape}")
+    if not mask.any():
+        raise ParameterError("a mask must have at least one voxel, got 0")
+    return None if mask.all() else mask
+
+
+def target_notes(targets: Targets) -> Tuple[str, ...]:
+    """Return what the user should know of targets before a design is made of them: sentences, maybe none."""
+    notes = []
+    thickness = targets.thickness / max(targets.voxel)
+    if thickness < LEAST_THICKNESS:
+        notes.append(
+            f"the sample's mean thickness is {thickness:.2g} voxels; below {LEAST_THICKNESS:g} its struts are not "
+            f"resolved: voxels of {targets.thickness / LEAST_THICKNESS:.2g} mm would resolve them"
+        )
+    for axis, counts in zip("XYZ", targets.counts):
+        used = np.flatnonzero(counts)
+        holes = np.flatnonzero(counts[used[0] : used[-1] + 1] == 0) + used[0] if len(used) else []
+        if len(holes):
+            notes.append(f"layer {holes[0]} along {axis} is empty between others: no design is one piece")
+    return tuple(notes)
