@@ -50,3 +50,12 @@ def test_mix_is_splitmix64():
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9 % 2**64
     z = (z ^ (z >> 27)) * 0x94D049BB133111EB % 2**64
     assert int(mix(np.array([5], np.uint64), np.array([3], np.uint64))[0, 0]) == z ^ (z >> 31)
+
+
+def test_many_numbers_are_uniform_and_those_of_their_identity():
+    numbers = Stream(3, "table").many(100_000)
+    assert abs(numbers.mean() - 0.5) < 4 / np.sqrt(12 * 100_000)
+    counts = np.bincount((numbers * 100).astype(int), minlength=100)
+    assert ((counts - 1000) ** 2 / 1000).sum() < 99 + 5 * np.sqrt(2 * 99)  # chi squared
+    assert (Stream(3, "table").many(10) == numbers[:10]).all()
+    assert (Stream(4, "table").many(10) != numbers[:10]).any()
