@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What hangs together: parts, closed cavities, contacts by an edge or a corner, and flips that change none of it.
+
+Solid and void both hang together by faces (6 neighbours); outside the box is void, and so is what lies outside a mask.
+Whether a flip keeps the number of parts is read from the 18 neighbours (faces and edges) of its voxel: the set face
+neighbours that edge neighbours join are one group, and one group stays one part whether the voxel is there or not.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import product
+from typing import Optional
+
+import numpy as np
+
+#: Steps (z, y, x) to the neighbours by a face, an edge, a corner: bits 0-5, 6-17 and 18-25 of a neighbour code.
+FACES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+EDGES = tuple(s for s in product((-1, 0, 1), repeat=3) if sum(map(abs, s)) == 2)
+CORNERS = tuple(s for s in product((-1, 0, 1), repeat=3) if sum(map(abs, s)) == 3)
+STEPS = np.array(FACES + EDGES + CORNERS)
+_CODES = 1 << (len(FACES) + len(EDGES))
+_FACE_BITS = (1 << len(FACES)) - 1
+_LOW_BITS = _CODES - 1
+
+
+def _faces_of(edge: tuple) -> tuple:
+    """Return the two faces, as bits, that an edge neighbour touches."""
+    return tuple(i for i, face in enumerate(FACES) if sum(a * b for a, b in zip(face, edge)) == 1)
+
+
+def _bits(codes: np.ndarray) -> list:
+    """Return the 18 bits of codes (C,) as bool arrays (C,)."""
+    return [(codes >> bit) & 1 == 1 for bit in range(len(FACES) + len(EDGES))]
+
+
+@lru_cache(maxsize=1)
+def face_groups() -> np.ndarray:
+    """Return the number of groups of set face neighbours joined by set edge neighbours, (2^18,) uint8, by code."""
+    codes = np.arange(_CODES)
+    is_set = _bits(codes)
+    faces = (codes & _FACE_BITS).astype(np.uint8)
+    # the group of the lowest set face not yet counted, spread over the twelve edges until it stops growing
+    left, groups = faces.copy(), np.zeros(_CODES, np.uint8)
+    joined = [((1 << a) | (1 << b), is_set[6 + e]) for e, (a, b) in enumerate(map(_faces_of, EDGES))]
+    masks = [(np.uint8(pair), active & ((faces & pair) == pair)) for pair, active in joined]
+    while left.any():
+        group = left & (~left + np.uint8(1))
+        groups += group > 0
+        before = None
+        while before is None or not np.array_equal(before, group):
+            before = group.copy()
+            for pair, active in masks:
+                group |= np.where(active & ((group & pair) > 0), pair, np.uint8(0))
+        left &= ~group
+    return groups
+
+
+@lru_cache(maxsize=1)
+def edge_contact_changes() -> np.ndarray:
+    """Return by how much the contacts by an edge alone change when the voxel is added, (2^18,) int8, by code."""
+    is_set = _bits(np.arange(_CODES))
+    change = np.zeros(_CODES, np.int8)
+    for e, (a, b) in enumerate(map(_faces_of, EDGES)):
+        change += (is_set[6 + e] & ~is_set[a] & ~is_set[b]).astype(np.int8)
+        change -= (~is_set[6 + e] & is_set[a] & is_set[b]).astype(np.int8)
+    return change
+
+
+def corner_contact_changes(codes: np.ndarray) -> np.ndarray:
+    """Return by how much the contacts by a corner alone change when the voxels are added; (C,) int8.
+
+    Parameters
+    ----------
+    codes : ndarray of shape (C,), int32
+        Neighbour codes with all 26 bits.
+    """
+    steps = [tuple(s) for s in STEPS.tolist()]
+    change = np.zeros(codes.shape, np.int8)
+    for corner in CORNERS:
+        others = [
+            steps.index(tuple(c if keep else 0 for c, keep in zip(corner, kept)))
+            for kept in product((False, True), repeat=3)
+            if any(kept) and not all(kept)
+        ]
+        near = sum(1 << bit for bit in others)
+        far = 1 << steps.index(corner)
+        octant = codes & (near | far)
+        change += (octant == far).astype(np.int8) - (octant == near).astype(np.int8)
+    return change
+
+
+def parts(solid: np.ndarray) -> tuple:
+    """Return the 6-connected parts of a solid.
+
+    Parameters
+    ----------
+    solid : ndarray of shape (P, M, N), bool
+
+    Returns
+    -------
+    labels : ndarray of shape (P, M, N), int32
+        0 is void, the parts are 1, 2, ... in the order of their first voxels.
+    sizes : ndarray of shape (parts + 1,), int64
+        Voxels of each label; ``sizes[0]`` is 0.
+    """
+    from scipy import ndimage
+
+    labels, _ = ndimage.label(solid)
+    sizes = np.bincount(labels.ravel())
+    sizes[0] = 0
+    return labels, sizes
+
+
+def closed_cavities(solid: np.ndarray, mask: Optional[np.ndarray] = None) -> tuple:
+    """Return the void that no way by faces leads out of, as ``parts`` returns the solid.
+
+    Parameters
+    ----------
+    solid : ndarray of shape (P, M, N), bool
+    mask : ndarray of shape (P, M, N), bool, optional
+        Where solid may be; void that touches the outside of the mask or of the box is open.
+    """
+    from scipy import ndimage
+
+    labels, count = ndimage.label(~solid)
+    is_open = np.zeros(count + 1, bool)
+    is_open[0] = True
+    for axis in range(3):
+        for end in (0, -1):
+            is_open[np.unique(np.take(labels, end, axis))] = True
+    if mask is not None:
+        is_open[np.unique(labels[~mask])] = True
+    numbers = np.cumsum(~is_open) * ~is_open
+    labels = numbers.astype(np.int32)[labels]
+    sizes = np.bincount(labels.ravel(), minlength=int(numbers.max()) + 1)
+    sizes[0] = 0
+    return labels, sizes
+
+
+def edge_contacts(solid: np.ndarray) -> int:
+    """Return how many edges of the grid have solid on two opposite sides only: contacts by an edge alone."""
+    count = 0
+    for axis in range(3):
+        s = np.moveaxis(solid, axis, 0)
+        a, b, c, d = s[:, :-1, :-1], s[:, 1:, 1:], s[:, :-1, 1:], s[:, 1:, :-1]
+        count += int(np.count_nonzero((a == b) & (c == d) & (a != c)))
+    return count
+
+
+def corner_contacts(solid: np.ndarray) -> int:
+    """Return how many 2 x 2 x 2 blocks have two opposite corners alone of their kind (solid or void)."""
+    size = tuple(n - 1 for n in solid.shape)
+    cells = {
+        s: solid[s[0] : s[0] + size[0], s[1] : s[1] + size[1], s[2] : s[2] + size[2]] for s in product((0, 1), repeat=3)
+    }
+    total = sum(cell.astype(np.int8) for cell in cells.values())
+    count = 0
+    for near in ((0, 0, 0), (0, 0, 1), (0, 1, 0), (1, 0, 0)):
+        a, b = cells[near], cells[tuple(1 - i for i in near)]
+        count += int(np.count_nonzero((total == 2) & a & b)) + int(np.count_nonzero((total == 6) & ~a & ~b))
+    return count
+
+
+class Solid:
+    """A solid whose voxels are flipped one by one or many at once, without splitting it or closing a cavity.
+
+    Voxels are named by their index in the padded, raveled array (``index_of``); each may be flipped if it is
+    ``addable`` or ``removable``, and any number at once whose neighbourhoods (26) do not hold one another.
+
+    Parameters
+    ----------
+    voxels : ndarray of shape (P, M, N), bool
+    mask : ndarray of shape (P, M, N), bool, optional
+        Where solid may be.
+    no_edges, no_corners : bool
+        Whether flips may not raise the number of contacts by an edge alone, by a corner alone.
+    """
+
+    def __init__(
+        self, voxels: np.ndarray, mask: Optional[np.ndarray] = None, no_edges: bool = False, no_corners: bool = False
+    ) -> None:
+        self.shape = voxels.shape
+        self.padded = np.pad(voxels, 1).view(np.uint8)
+        self.flat = self.padded.reshape(-1)
+        self.allowed = None if mask is None else np.pad(mask, 1).reshape(-1)
+        self.no_edges, self.no_corners = no_edges, no_corners
+        rows, columns = self.padded.shape[1:]
+        self._strides = (rows * columns, columns, 1)
+        self.offsets = STEPS @ np.array(self._strides)
+        inside = np.zeros(self.padded.shape, bool)
+        inside[1:-1, 1:-1, 1:-1] = True
+        self._inside = inside.reshape(-1)
+
+    @property
+    def voxels(self) -> np.ndarray:
+        """The solid, (P, M, N) bool: a view."""
+        return self.padded[1:-1, 1:-1, 1:-1].view(bool)
+
+    def index_of(self, z: np.ndarray, y: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """Return the indices of voxels (z, y, x), which may lie one voxel outside the box."""
+        a, b, c = self._strides
+        return (z + 1) * a + (y + 1) * b + (x + 1) * c
+
+    def places_of(self, index: np.ndarray) -> tuple:
+        """Return (z, y, x) of indices: three int arrays like them."""
+        z, y, x = np.unravel_index(index, self.padded.shape)
+        return z - 1, y - 1, x - 1
+
+    def codes(self, index: np.ndarray, corners: bool = False) -> np.ndarray:
+        """Return the neighbour codes of voxels, int32 (C,): bit i tells whether neighbour ``STEPS[i]`` is solid."""
+        code = np.zeros(len(index), np.int32)
+        for bit in range(26 if corners else 18):
+            code |= self.flat[index + self.offsets[bit]].astype(np.int32) << bit
+        return code
+
+    def contact_changes(self, index: np.ndarray) -> tuple:
+        """Return how the contacts by an edge, and by a corner, change when voxels (C,) are flipped: two int8 (C,)."""
+        code = self.codes(index, True)
+        sign = 1 - 2 * self.flat[index].astype(np.int8)
+        return sign * edge_contact_changes()[code & _LOW_BITS], sign * corner_contact_changes(code)
+
+    def _contacts_kept(self, code: np.ndarray, sign: int) -> np.ndarray:
+        """Return which flips raise no contact that may not be raised; sign is 1 for adding, -1 for removing."""
+        kept = np.ones(code.shape, bool)
+        if self.no_edges:
+            kept &= sign * edge_contact_changes()[code & _LOW_BITS] <= 0
+        if self.no_corners:
+            kept &= sign * corner_contact_changes(code) <= 0
+        return kept
+
+    def addable(self, index: np.ndarray) -> np.ndarray:
+        """Return which voxels (C,) are void and may become solid; bool (C,)."""
+        code = self.codes(index, self.no_corners)
+        low = code & _LOW_BITS
+        good = (self.flat[index] == 0) & ((low & _FACE_BITS) > 0) & (face_groups()[_LOW_BITS ^ low] <= 1)
+        good &= self._inside[index] if self.allowed is None else self.allowed[index]
+        return good & self._contacts_kept(code, 1)
+
+    def removable(self, index: np.ndarray) -> np.ndarray:
+        """Return which voxels (C,) are solid and may become void; bool (C,)."""
+        code = self.codes(index, self.no_corners)
+        low = code & _LOW_BITS
+        good = (self.flat[index] == 1) & ((low & _FACE_BITS) != _FACE_BITS) & (face_groups()[low] == 1)
+        return good & self._contacts_kept(code, -1)
+
+    def flippable(self, index: np.ndarray) -> np.ndarray:
+        """Return which voxels (C,) may be flipped, whatever they are; bool (C,)."""
+        is_solid = self.flat[index] == 1
+        good = np.zeros(len(index), bool)
+        good[is_solid] = self.removable(index[is_solid])
+        good[~is_solid] = self.addable(index[~is_solid])
+        return good
+
+    def flip(self, index: np.ndarray) -> None:
+        """Turn voxels over: one index or an array of them, each once."""
+        self.flat[index] ^= 1
+
+    def apart(self, index: np.ndarray) -> np.ndarray:
+        """Return which of the voxels (C,), in order of preference, may be flipped at once; bool (C,).
+
+        A voxel is chosen if no better one lies among its 26 neighbours, so that no flip sees another.
+        """
+        by_place = np.argsort(index)
+        places = index[by_place]
+        best = np.ones(len(index), bool)
+        for offset in self.offsets:
+            found = np.minimum(np.searchsorted(places, index + offset), len(index) - 1)
+            is_neighbour = places[found] == index + offset
+            best &= ~is_neighbour | (by_place[found] > np.arange(len(index)))
+        return best

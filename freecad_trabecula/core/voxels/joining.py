@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One part without closed cavities: large islands are joined by bars, small ones dropped, cavities filled.
+
+What that adds and takes is made good by the field's offsets when it is much, by exact moves when it is little.
+"""
+
+from __future__ import annotations
+
+from typing import List, Sequence, Tuple
+
+import numpy as np
+
+from ...errors import ExactnessError
+from ..progress import Progress, silent
+from .connectivity import FACES, closed_cavities, parts
+from .plane_offsets import FORBIDDEN, newton_offsets, polished, solid_of
+
+#: Islands of at least this share of the voxels, and of 8 voxels, are joined; smaller ones are dropped.
+LEAST_ISLAND = 5e-4
+_SMALLEST_ISLAND = 8
+#: Changes up to this share of the voxels are left to exact moves; more than that goes through the field again.
+_LITTLE = 0.01
+_ROUNDS = 5
+_LIFT = np.float32(4.0)  # above all that a field spans
+_FIRST_MARGIN = 8  # voxels around an island that are searched first for its neighbour
+_BAR = np.array(((0, 0, 0), *FACES))
+
+
+def joined_solid(
+    field: np.ndarray, targets: Sequence[np.ndarray], progress: Progress = silent
+) -> Tuple[np.ndarray, List[np.ndarray]]:
+    """Return one part without closed cavities whose counts are nearly the targets, and the field's offsets.
+
+    Parameters
+    ----------
+    field : ndarray of shape (P, M, N), float32
+        ``plane_offsets.FORBIDDEN`` where no solid may be. Changed where islands are dropped and bars drawn.
+    targets : sequence of 3 int arrays
+        Voxels of each layer along z, y, x.
+    progress : callable
+
+    Raises
+    ------
+    ExactnessError
+        If nothing solid is left.
+    """
+    total = int(targets[0].sum())
+    offsets = None
+    for attempt in range(_ROUNDS):
+        widest = 0.5 if offsets is None else 2.0**-5
+        offsets = newton_offsets(field, targets, offsets, widest, progress=progress)
+        offsets = polished(field, targets, offsets, progress=progress)
+        wanted = solid_of(field, offsets)
+        solid = one_part(wanted, field > FORBIDDEN / 2, progress)
+        changed = solid != wanted
+        if np.count_nonzero(changed) <= _LITTLE * total or attempt == _ROUNDS - 1:
+            break
+        field[changed & solid] += _LIFT
+        field[changed & wanted] -= _LIFT
+    if not solid.any():
+        raise ExactnessError(f"no part with {total} voxels was found in the field")
+    return solid, offsets
+
+
+def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent) -> np.ndarray:
+    """Return the solid as one part: islands joined or dropped, closed cavities filled.
+
+    Parameters
+    ----------
+    solid, mask : ndarray of shape (P, M, N), bool
+        Nothing is added outside the mask.
+    progress : callable
+    """
+    solid = solid.copy()
+    least = max(_SMALLEST_ISLAND, LEAST_ISLAND * np.count_nonzero(solid))
+    while True:
+        labels, sizes = parts(solid)
+        progress(0, 1, "islands")
+        islands = np.flatnonzero(sizes >= least)
+        if len(islands) < 2:
+            break
+        before = np.count_nonzero(solid)
+        _join_islands(solid, mask, labels, islands, int(np.argmax(sizes)))
+        if np.count_nonzero(solid) == before:
+            break
+    if len(sizes) > 2:
+        solid &= labels == int(np.argmax(sizes))
+    cavities, sizes = closed_cavities(solid, mask)
+    progress(1, 1, "islands")
+    if len(sizes) > 1:
+        solid |= cavities > 0
+    return solid
+
+
+def _join_islands(solid: np.ndarray, mask: np.ndarray, labels: np.ndarray, islands: np.ndarray, main: int) -> None:
+    """Draw a bar from every island but the main one to its nearest neighbour that is worth joining."""
+    from scipy import ndimage
+
+    is_worth = np.zeros(int(labels.max()) + 1, bool)
+    is_worth[islands] = True
+    boxes = ndimage.find_objects(labels)
+    for island in islands:
+        if island == main:
+            continue
+        for start, end in _nearest_ends(labels, int(island), is_worth, boxes[island - 1]):
+            _draw_bar(solid, mask, start, end)
+
+
+def _nearest_ends(labels: np.ndarray, island: int, is_worth: np.ndarray, box: tuple) -> list:
+    """Return [(place on the island, nearest place on another)], or [] if it is alone; places are (z, y, x)."""
+    from scipy import ndimage
+
+    margin = _FIRST_MARGIN
+    while True:
+        low = np.array([max(s.start - margin, 0) for s in box])
+        window = tuple(slice(a, min(s.stop + margin, n)) for a, s, n in zip(low, box, labels.shape))
+        near = labels[window]
+        others = is_worth[near] & (near != island)
+        distance, nearest = ndimage.distance_transform_edt(~others, return_indices=True)
+        own = np.where(near == island, distance, np.inf) if others.any() else np.full(near.shape, np.inf)
+        start = np.unravel_index(int(np.argmin(own)), own.shape)
+        is_whole = near.shape == labels.shape
+        if own[start] <= margin or (is_whole and np.isfinite(own[start])):
+            return [(low + start, low + nearest[(slice(None), *start)])]
+        if is_whole:
+            return []
+        margin *= 2
+
+
+def _draw_bar(solid: np.ndarray, mask: np.ndarray, start: np.ndarray, end: np.ndarray) -> None:
+    """Make a straight bar of three voxels' thickness solid where the mask lets it be."""
+    steps = 2 * int(np.abs(end - start).max()) + 1
+    line = np.rint(start + np.linspace(0.0, 1.0, steps + 1)[:, None] * (end - start)).astype(int)
+    places = (line[:, None, :] + _BAR).reshape(-1, 3)
+    inside = ((places >= 0) & (places < solid.shape)).all(1)
+    z, y, x = places[inside].T
+    solid[z, y, x] |= mask[z, y, x]
