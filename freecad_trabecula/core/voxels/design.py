@@ -4,16 +4,18 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Mapping, Optional, Tuple
 
 import numpy as np
 
 from ...errors import ParameterError
 from ..progress import Progress, part, silent
+from .exact_search import is_small
 from .feasibility import check_feasible
 from .parameters import VoxelParameters
 from .strategies import find_strategy
+from .table_pairs import draw_pair
 from .targets import Targets
 from .verification import check_exact
 
@@ -87,6 +89,8 @@ def make_design(
     start = time.perf_counter()
     mask = _checked_mask(mask, targets)
     check_feasible(targets, parameters, mask)
+    if mask is None and is_small(targets):
+        draw_pair(targets, replace(parameters, pairing="constraint", solver="proportional"))  # else it says why not
     seconds["feasibility"] = time.perf_counter() - start
     start = time.perf_counter()
     strategy = find_strategy(parameters.strategy)

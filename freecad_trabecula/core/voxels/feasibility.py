@@ -120,7 +120,7 @@ def check_feasible(targets: Targets, parameters: VoxelParameters, mask: Optional
         _check_mask_holds(targets, mask)
     _check_pairs(targets)
     _check_triples(targets)
-    _check_caps(targets, parameters)
+    check_caps(targets, parameters)
 
 
 def _check_mask_holds(targets: Targets, mask: np.ndarray) -> None:
@@ -144,7 +144,7 @@ def _check_pairs(targets: Targets) -> None:
         lack = table_shortfall(rows, columns, targets.layers[third])
         if lack:
             raise InfeasibleError(
-                f"{_layers_in_words(lack.columns, AXES[second])} ask for {lack.asked} voxels together, but the layers "
+                f"{layers_in_words(lack.columns, AXES[second])} ask for {lack.asked} voxels together, but the layers "
                 f"along {AXES[first].upper()} leave them at most {lack.given}"
             )
 
@@ -173,26 +173,34 @@ def _check_triples(targets: Targets) -> None:
 
 def _refuse_triple(targets: Targets, sizes: Tuple[int, int, int], asked: int, given: int) -> None:
     fullest = [np.argsort(-counts, kind="stable")[:k] for counts, k in zip(targets.counts, sizes)]
-    words = [_layers_in_words(chosen, axis) for chosen, axis in zip(fullest, AXES) if len(chosen)]
+    words = [layers_in_words(chosen, axis) for chosen, axis in zip(fullest, AXES) if len(chosen)]
     raise InfeasibleError(
         f"{' and '.join(words)} ask for {asked} voxels together, each voxel counted in every such layer it lies in; "
         f"{targets.total} voxels give them at most {given}"
     )
 
 
-def _check_caps(targets: Targets, parameters: VoxelParameters) -> None:
+def check_caps(targets: Targets, parameters: VoxelParameters) -> None:
+    """Refuse caps on alpha or beta that leave no table.
+
+    Raises
+    ------
+    InfeasibleError
+        With the smallest possible cap.
+    """
     cap_alpha, cap_beta = caps_of(targets, parameters)
     for name, axis, columns, cap in (("alpha", "x", targets.d, cap_alpha), ("beta", "y", targets.e, cap_beta)):
         lack = table_shortfall(targets.c, columns, cap)
         if lack:
             least = smallest_cap(targets.c, columns)
             raise InfeasibleError(
-                f"the cap on {name} must be at least {least}, got {cap}: {_layers_in_words(lack.columns, axis)} ask "
+                f"the cap on {name} must be at least {least}, got {cap}: {layers_in_words(lack.columns, axis)} ask "
                 f"for {lack.asked} voxels, and the layers along Z can give them {lack.given}"
             )
 
 
-def _layers_in_words(layers: np.ndarray, axis: str) -> str:
+def layers_in_words(layers: np.ndarray, axis: str) -> str:
+    """Return which layers, e.g. ``layers 2, 3 along X``."""
     chosen = sorted(int(i) for i in layers)
     named = ", ".join(str(i) for i in chosen[:_NAMED])
     if len(chosen) > _NAMED:

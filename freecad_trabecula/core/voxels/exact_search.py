@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a small design exists, decided for certain: a linear program, then branch and bound (HiGHS, by scipy).
+
+Tables drawn at random solve all but a few targets in ten thousand. What they leave is decided here: the linear program
+finds weights of the layers that no design can meet (Farkas), branch and bound a design, or that there is none.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Optional, Tuple
+
+import numpy as np
+
+from ...errors import DependencyError, ExactnessError, InfeasibleError
+from .feasibility import caps_of, layers_in_words
+from .parameters import VoxelParameters
+from .targets import AXES, Targets
+
+#: Cells up to which branch and bound is used: 20 x 20 x 20 takes seconds.
+LARGEST_SEARCH = 8000
+_SECONDS = 60.0  # of branch and bound
+_DENOMINATOR = 24  # of the weights, at most
+_ZERO = 1e-7  # HiGHS' own tolerance of feasibility
+
+
+def searched_design(targets: Targets, parameters: VoxelParameters, mask: Optional[np.ndarray] = None) -> np.ndarray:
+    """Return a design, (P, M, N) bool, or say for certain that there is none.
+
+    Parameters
+    ----------
+    targets : Targets
+    parameters : VoxelParameters
+        Its caps.
+    mask : ndarray of shape (P, M, N), bool, optional
+
+    Raises
+    ------
+    InfeasibleError
+        If there is none, with the layers that contradict each other where weights of layers prove it.
+    ExactnessError
+        If there are more than ``LARGEST_SEARCH`` cells, or time ran out.
+    DependencyError
+        If scipy is missing.
+    """
+    allowed = np.ones(targets.shape, bool) if mask is None else mask
+    if int(allowed.sum()) > LARGEST_SEARCH:
+        raise ExactnessError(
+            f"designs are searched for exhaustively up to {LARGEST_SEARCH} cells, got {int(allowed.sum())}"
+        )
+    try:
+        from scipy.optimize import Bounds, LinearConstraint, milp
+    except ImportError as error:
+        raise DependencyError("the search for a design needs scipy 1.9 or later: pip install scipy") from error
+    _check_weights(targets, allowed)
+    matrix, sums = _layer_sums(targets, allowed)
+    lines, caps = _line_caps(targets, parameters, allowed)
+    cells = matrix.shape[1]
+    result = milp(
+        np.zeros(cells),
+        integrality=np.ones(cells),
+        bounds=Bounds(0, 1),
+        constraints=[LinearConstraint(matrix, sums, sums), LinearConstraint(lines, -np.inf, caps)],
+        options={"time_limit": _SECONDS},
+    )
+    if result.status == 2:
+        raise InfeasibleError(
+            "no design has these counts: no set of layers contradicts another by itself, but a search of all designs "
+            "found none"
+        )
+    if result.x is None:
+        raise ExactnessError(f"the search for a design gave up after {_SECONDS:g} s")
+    voxels = np.zeros(targets.shape, bool)
+    voxels[allowed] = result.x > 0.5
+    return voxels
+
+
+def _layer_sums(targets: Targets, allowed: np.ndarray) -> Tuple[object, np.ndarray]:
+    """Matrix of the layers' sums over the allowed cells, sparse (N + M + P, cells), and the counts."""
+    from scipy.sparse import csr_matrix
+
+    z, y, x = np.nonzero(allowed)
+    n, m, _ = targets.layers
+    rows = np.concatenate([x, n + y, n + m + z])
+    columns = np.tile(np.arange(len(x)), 3)
+    matrix = csr_matrix((np.ones(len(rows)), (rows, columns)), shape=(sum(targets.layers), len(x)))
+    return matrix, np.concatenate(targets.counts).astype(float)
+
+
+def _line_caps(targets: Targets, parameters: VoxelParameters, allowed: np.ndarray) -> Tuple[object, np.ndarray]:
+    """Matrix of the lines (x, z) and (y, z) over the allowed cells, sparse, and their caps."""
+    from scipy.sparse import csr_matrix
+
+    z, y, x = np.nonzero(allowed)
+    n, m, p = targets.layers
+    cap_alpha, cap_beta = caps_of(targets, parameters)
+    rows = np.concatenate([x * p + z, n * p + y * p + z])
+    columns = np.tile(np.arange(len(x)), 2)
+    matrix = csr_matrix((np.ones(len(rows)), (rows, columns)), shape=((n + m) * p, len(x)))
+    return matrix, np.repeat([cap_alpha, cap_beta], [n * p, m * p]).astype(float)
+
+
+def _check_weights(targets: Targets, allowed: np.ndarray) -> None:
+    """Refuse targets that weights of the layers contradict.
+
+    The linear program seeks voxels between 0 and 1 that miss the counts by as little as can be. When that is not 0, the
+    weights of its dual are the proof: a design weighs at most what its cells of positive weight do.
+    """
+    from scipy.optimize import linprog
+    from scipy.sparse import eye, hstack
+
+    matrix, sums = _layer_sums(targets, allowed)
+    layers, cells = matrix.shape
+    both = hstack([matrix, eye(layers), -eye(layers)])
+    costs = np.concatenate([np.zeros(cells), np.ones(2 * layers)])
+    bounds = [(0, 1)] * cells + [(0, None)] * (2 * layers)
+    result = linprog(costs, A_eq=both, b_eq=sums, bounds=bounds, method="highs")
+    if result.x is None or result.fun < _ZERO:
+        return
+    weights = _whole_weights(result.eqlin.marginals)
+    asked = int(weights @ np.concatenate(targets.counts))
+    most = int(np.maximum(matrix.T @ weights, 0).sum())
+    if asked > most:  # else it is not that simple: branch and bound decides
+        raise InfeasibleError(
+            f"{_weights_in_words(weights, targets)}: the counts weigh {asked}, no design above {most}"
+        )
+
+
+def _whole_weights(weights: np.ndarray) -> np.ndarray:
+    """Weights as the smallest whole numbers in their proportion; vertices of the program have small denominators."""
+    scaled = weights / max(float(np.abs(weights).max()), 1e-12)
+    for scale in range(1, _DENOMINATOR + 1):
+        if np.allclose(scaled * scale, np.round(scaled * scale), atol=1e-6):
+            return np.round(scaled * scale).astype(np.int64)
+    return np.round(scaled * 1000).astype(np.int64)
+
+
+def _weights_in_words(weights: np.ndarray, targets: Targets) -> str:
+    words, start = [], 0
+    for axis, counts in zip(AXES, targets.counts):
+        own = weights[start : start + len(counts)]
+        start += len(counts)
+        for value in sorted(set(own.tolist()) - {0}, reverse=True):
+            words.append(f"{layers_in_words(np.flatnonzero(own == value), axis)} {value} times")
+    return f"the layers contradict each other; count {', '.join(words)}"
+
+
+def is_small(targets: Targets, mask: Optional[np.ndarray] = None) -> bool:
+    """Return whether the existence of a design can be decided for certain."""
+    return (math.prod(targets.layers) if mask is None else int(mask.sum())) <= LARGEST_SEARCH

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Layers from their tables: 0/1 cells with alpha_i voxels in column i and beta_j in row j (thesis 6.2.4).
+
+Minimum zeros propagation solves one line after the other, the shortest first, and puts its voxels into the cross lines
+that still need most. In the order of the thesis or in any other, it finds a layer whenever there is one (Ryser 1957,
+doi:10.4153/CJM-1957-044-3). All layers are worked on at once.
+"""
+
+from __future__ import annotations
+
+from typing import Tuple
+
+import numpy as np
+
+from ...errors import InfeasibleError
+from ..parameters import require
+from ..progress import Progress, silent
+from ..streams import Stream
+from .parameters import DIRECTIONS
+
+ORDERS = ("minimum", "sequential")
+
+
+def propagated_layers(
+    alpha: np.ndarray,
+    beta: np.ndarray,
+    direction: str = "columns",
+    order: str = "minimum",
+    progress: Progress = silent,
+) -> np.ndarray:
+    """Return all layers by minimum zeros propagation, ndarray of shape (P, M, N), bool.
+
+    Parameters
+    ----------
+    alpha : ndarray of shape (N, P), int
+        Voxels in each column (x, z).
+    beta : ndarray of shape (M, P), int
+        Voxels in each row (y, z).
+    direction : str
+        ``columns``: columns are solved one after the other, each takes the rows that need most, and u, the number of
+        rows without need, stays smallest (thesis cases 1 and 2); ``rows``: the other way round, for v.
+    order : str
+        ``minimum``: the shortest line first (case 1); ``sequential``: as they stand (case 2).
+    progress : callable
+
+    Raises
+    ------
+    InfeasibleError
+        If the tables are not compatible; the message names the first such layer.
+    """
+    require(direction in DIRECTIONS, f"the direction must be one of {', '.join(DIRECTIONS)}", repr(direction))
+    require(order in ORDERS, f"the order must be one of {', '.join(ORDERS)}", repr(order))
+    if direction == "rows":
+        return propagated_layers(beta, alpha, "columns", order, progress).transpose(0, 2, 1)
+    lines, need = alpha.T, beta.T.astype(np.int64)  # (P, N), (P, M)
+    layers, count = lines.shape
+    voxels = np.zeros((layers, count, need.shape[1]), bool)  # line by line; turned at the end
+    every = np.arange(layers)
+    turns = np.argsort(lines, axis=1, kind="stable") if order == "minimum" else np.tile(np.arange(count), (layers, 1))
+    places = np.arange(need.shape[1])
+    for k in range(count):
+        if k % 16 == 0:
+            progress(k, count, "layers")
+        line = turns[:, k]
+        takes = lines[every, line]
+        fullest = np.argsort(-need, axis=1, kind="stable")
+        layer, place = np.nonzero(places[None, :] < takes[:, None])
+        row = fullest[layer, place]
+        voxels[layer, line[layer], row] = True
+        need[layer, row] -= 1
+    _check_layers(need, lines.sum(1), beta.sum(0))
+    return voxels.transpose(0, 2, 1)
+
+
+def _check_layers(left: np.ndarray, asked: np.ndarray, given: np.ndarray) -> None:
+    bad = np.flatnonzero((left != 0).any(1))
+    if len(bad):
+        layer = int(bad[0])
+        raise InfeasibleError(
+            f"the tables are not compatible: no layer {layer} along Z has these {int(asked[layer])} voxels in columns "
+            f"and {int(given[layer])} in rows; {len(bad)} of {len(left)} layers fail"
+        )
+
+
+def shuffled_layers(voxels: np.ndarray, stream: Stream, rounds: int = 12, progress: Progress = silent) -> np.ndarray:
+    """Return layers drawn nearly uniformly from all with the same row and column sums, (P, M, N), bool.
+
+    Each round pairs the rows of each layer at random; a pair trades at random the voxels that only one of them has
+    (global curveball: Carstens, Berger, Strona 2016, arXiv:1609.05137). Sums never change, every layer is reached, and
+    the chain's law tends to the uniform one.
+
+    Parameters
+    ----------
+    voxels : ndarray of shape (P, M, N), bool
+    stream : Stream
+    rounds : int
+        After about ten rounds nothing of the start can be seen any more.
+    progress : callable
+    """
+    voxels = np.ascontiguousarray(voxels)
+    for done in range(rounds):
+        progress(done, rounds, "random layers")
+        for layer in voxels:
+            _trade(layer, stream)
+    return voxels
+
+
+def _trade(layer: np.ndarray, stream: Stream) -> None:
+    """Trade the voxels of random pairs of a layer's rows, in place."""
+    rows, columns = layer.shape
+    half = rows // 2
+    if not half:
+        return
+    order = np.argsort(stream.many(rows), kind="stable")
+    first, second = layer[order[:half]], layer[order[half : 2 * half]]
+    single = first != second
+    keys = np.where(single, stream.many(half * columns).reshape(half, columns), 2.0)
+    ranks = np.empty((half, columns), np.int64)
+    np.put_along_axis(ranks, np.argsort(keys, axis=1), np.arange(columns)[None, :], axis=1)
+    gets = ranks < (first & single).sum(1)[:, None]
+    layer[order[:half]] = (first & ~single) | (single & gets)
+    layer[order[half : 2 * half]] = (second & ~single) | (single & ~gets)
+
+
+def layer_sums(voxels: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Return alpha (N, P) and beta (M, P) of a design (P, M, N)."""
+    return voxels.sum(1, dtype=np.int64).T, voxels.sum(2, dtype=np.int64).T

@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compatible pairs of tables: alpha and beta whose layers all exist (thesis 6.2.4.3 and chapter 9).
+
+Given alpha, a design with the counts along Y exists if and only if the k largest counts are at most
+sum min(alpha, k) over all lines, for every k (Gale and Ryser, the lines (x, z) being rows of one matrix). So alpha is
+checked once, and beta is then drawn row by row within what alpha leaves it: compatible by construction.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Optional
+
+import numpy as np
+
+from ...errors import ExactnessError, ParameterError
+from ..progress import Progress, part, silent
+from ..streams import Stream
+from .exact_search import is_small, searched_design
+from .feasibility import caps_of, check_caps
+from .layer_fill import layer_sums
+from .parameters import VoxelParameters
+from .tables import Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table
+from .targets import Targets
+
+_SWITCHES = 20  # rounds of levelling switches, each of all pairs of rows
+
+
+class TablePair(NamedTuple):
+    """A compatible pair of tables.
+
+    Attributes
+    ----------
+    alpha : ndarray of shape (N, P), int64
+        Voxels in each line (x, z).
+    beta : ndarray of shape (M, P), int64
+        Voxels in each line (y, z).
+    tries : int
+        Pairs that were drawn until this one.
+    redrawn, levelled : int
+        Rows drawn again, and rows that were not drawn but chosen, so that the rest has a solution.
+    """
+
+    alpha: np.ndarray
+    beta: np.ndarray
+    tries: int
+    redrawn: int
+    levelled: int
+
+
+class PairRates(NamedTuple):
+    """How often tables drawn without regard for each other fit together.
+
+    Attributes
+    ----------
+    pairs : int
+        Pairs drawn.
+    solved : int
+        Pairs of which both tables came to their end.
+    layers : float
+        Share of compatible layers in those.
+    compatible : int
+        Pairs of which all layers are compatible.
+    """
+
+    pairs: int
+    solved: int
+    layers: float
+    compatible: int
+
+
+def compatible_layers(alpha: np.ndarray, beta: np.ndarray) -> np.ndarray:
+    """Return which layers exist, ndarray of shape (P,), bool, by the condition of Gale and Ryser.
+
+    Parameters
+    ----------
+    alpha : ndarray of shape (N, P), int
+    beta : ndarray of shape (M, P), int
+
+    Examples
+    --------
+    >>> compatible_layers(np.array([[2, 2], [0, 0]]), np.array([[1, 2], [1, 0]])).tolist()
+    [True, False]
+    """
+    ranks = partner_ranks(alpha.T, len(beta), len(alpha))
+    largest = np.sort(beta, axis=0)[::-1].cumsum(0).T
+    return (largest <= ranks).all(1) & (alpha.sum(0) == beta.sum(0))
+
+
+def draw_pair(
+    targets: Targets, parameters: VoxelParameters, progress: Progress = silent, mask: Optional[np.ndarray] = None
+) -> TablePair:
+    """Return a random compatible pair of tables.
+
+    Parameters
+    ----------
+    targets : Targets
+    parameters : VoxelParameters
+        Solver, pairing, caps, tries, seed.
+    progress : callable
+    mask : None
+        Tables know lines, not cells: a mask is refused.
+
+    Raises
+    ------
+    InfeasibleError
+        If the caps allow no table.
+    ExactnessError
+        If no pair was compatible in the tries allowed.
+    ParameterError
+        If there is a mask.
+    """
+    if mask is not None:
+        raise ParameterError(f"strategy {parameters.strategy} fills boxes only; strategy trabecular fills a mask")
+    stream = Stream(parameters.seed, "voxels", "tables")
+    if parameters.pairing == "repeat":
+        return _pair_by_repeating(targets, parameters, stream, progress)
+    return _pair_by_constraint(targets, parameters, stream, progress)
+
+
+def _pair_by_constraint(targets: Targets, parameters: VoxelParameters, stream: Stream, progress: Progress) -> TablePair:
+    check_caps(targets, parameters)
+    cap_alpha, cap_beta = caps_of(targets, parameters)
+    n, m, _ = targets.layers
+    ranks = capped_ranks(targets.c, n, cap_alpha)
+    half = part(progress, 0.0, 0.5)
+    for attempt in range(1, min(parameters.tries, 8) + 1):
+        first = solve_table(targets.c, targets.d, ranks, parameters.solver, stream, half)
+        for level in (False, True):
+            cells = levelled_table(first.cells, cap_alpha) if level else first.cells
+            partner = partner_ranks(cells, m, cap_beta)
+            if fits(targets.e, partner.sum(0)):
+                second = solve_table(targets.c, targets.e, partner, parameters.solver, stream, part(progress, 0.5, 1.0))
+                return _pair(cells, first, second, attempt)
+    if is_small(targets):
+        alpha, beta = layer_sums(searched_design(targets, parameters))
+        return TablePair(alpha, beta, attempt, 0, 0)
+    raise ExactnessError(
+        f"no pair of tables was found in {attempt} tries that alpha <= {cap_alpha} and beta <= {cap_beta} allow: "
+        "larger caps leave more room"
+    )
+
+
+def _pair(cells: np.ndarray, first: Table, second: Table, tries: int) -> TablePair:
+    return TablePair(cells.T, second.cells.T, tries, first.redrawn + second.redrawn, first.levelled + second.levelled)
+
+
+def _pair_by_repeating(targets: Targets, parameters: VoxelParameters, stream: Stream, progress: Progress) -> TablePair:
+    for attempt in range(1, parameters.tries + 1):
+        progress(attempt - 1, parameters.tries, "tables")
+        pair = _independent_pair(targets, parameters, stream)
+        if pair is not None and compatible_layers(*pair).all():
+            return TablePair(*pair, attempt, 0, 0)
+    raise ExactnessError(
+        f"none of {parameters.tries} pairs of tables was compatible; pairing 'constraint' finds them by construction, "
+        "and lower caps make them likelier"
+    )
+
+
+def _independent_pair(targets: Targets, parameters: VoxelParameters, stream: Stream) -> Optional[tuple]:
+    """Alpha and beta drawn without regard for each other, or None after a dead end (thesis' solver)."""
+    tables = []
+    for columns, cap in zip((targets.d, targets.e), caps_of(targets, parameters)):
+        if parameters.solver == "thesis":
+            cells = solve_thesis_table(targets.c, columns, cap, stream)
+        else:
+            ranks = capped_ranks(targets.c, len(columns), cap)
+            cells = solve_table(targets.c, columns, ranks, parameters.solver, stream).cells
+        if cells is None:
+            return None
+        tables.append(cells.T)
+    return tuple(tables)
+
+
+def pair_rates(
+    targets: Targets, parameters: VoxelParameters, pairs: int = 20, progress: Progress = silent
+) -> PairRates:
+    """Return how often the thesis' try-and-repeat succeeds with these caps and this solver.
+
+    Parameters
+    ----------
+    targets : Targets
+    parameters : VoxelParameters
+    pairs : int
+        Pairs to draw.
+    progress : callable
+    """
+    stream = Stream(parameters.seed, "voxels", "rates")
+    solved, layers, compatible = 0, 0.0, 0
+    for done in range(pairs):
+        progress(done, pairs, "rates of compatible tables")
+        pair = _independent_pair(targets, parameters, stream)
+        if pair is not None:
+            good = compatible_layers(*pair)
+            solved, layers, compatible = solved + 1, layers + float(good.mean()), compatible + int(good.all())
+    return PairRates(pairs, solved, layers / max(solved, 1), compatible)
+
+
+def levelled_table(cells: np.ndarray, cap: int) -> np.ndarray:
+    """Return a table of the same sums whose cells are more even: the more even alpha is, the more counts along Y fit.
+
+    Switches of 2 x 2 cells that lower the sum of squares, row after row, until none is left or the rounds are over.
+
+    Parameters
+    ----------
+    cells : ndarray of shape (R, K), int
+    cap : int
+        Most in a cell.
+    """
+    cells = cells.copy()
+    for _ in range(_SWITCHES):
+        changed = False
+        for i in range(len(cells)):
+            for j in range(i):
+                gap = cells[i] - cells[j]
+                high, low = int(np.argmax(gap)), int(np.argmin(gap))
+                # moving one up the row i and down the row j is worth it while the gaps differ by more than 2
+                step = (gap[high] - gap[low]) // 4
+                step = min(step, cells[i, high], cells[j, low], cap - cells[j, high], cap - cells[i, low])
+                if gap[high] - gap[low] > 2 and step == 0 and cells[i, high] and cells[j, low]:
+                    step = min(1, cap - cells[j, high], cap - cells[i, low])
+                if step > 0:
+                    cells[i, high] -= step
+                    cells[j, high] += step
+                    cells[i, low] += step
+                    cells[j, low] -= step
+                    changed = True
+        if not changed:
+            break
+    return cells
