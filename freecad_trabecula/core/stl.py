@@ -137,7 +137,7 @@ def whole_file(path: Union[str, Path]) -> Iterator[BinaryIO]:
     path = Path(path)
     part = path.with_name(f".{path.name}.{os.getpid()}.part")  # same folder: os.replace works only within a file system
     try:
-        with part.open("wb") as file:
+        with part.open("w+b") as file:  # writers of TIFF read what they wrote
             yield file
         os.replace(part, path)
     except OSError as error:
