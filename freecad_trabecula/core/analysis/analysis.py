@@ -97,7 +97,7 @@ def analyse(soup: Soup, parameters: Optional[SliceParameters] = None, morphometr
     if morphometry:
         from .morphometry import measure
 
-        whole = measure(soup, parameters, part(progress, 0.7, 1.0))
+        whole = measure(soup, progress=part(progress, 0.7, 1.0))
     return Analysis(soup.source, soup.unit, parameters, soup.box, facts, profiles, measures, whole,
                     time.process_time() - begun, repairs)  # fmt: skip
 
