@@ -152,7 +152,7 @@ def envelope_from_shape(
     """
     body, mended = _checked(_choose(shape, solid))
     deflection = deflection or default_deflection(body)
-    mesh = tessellate(body, deflection)
+    mesh, note = tessellate(body, deflection)
     crossing = find_crossing(body, deflection)
     if crossing is not None:
         raise EnvelopeError(
@@ -160,7 +160,7 @@ def envelope_from_shape(
             f"{crossing.longest:.3g} mm at ({', '.join(f'{c:.4g}' for c in crossing.middle)}) mm"
         )
     low, high = exact_box(body)
-    every = (*notes, *mended, *_unit_notes(float((high - low).max())))
+    every = (*notes, *mended, *_unit_notes(float((high - low).max())), *([note] if note else []))
     names = dict(aliases or {})
     envelope = Envelope(body, mesh, deflection, low, high, names, every)
     for name in names:

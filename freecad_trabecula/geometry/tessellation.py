@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Triangles of a solid, checked: closed, turned outwards, as much volume as the solid has, no face through another."""
+"""Triangles of a solid, checked: closed, turned outwards, as much volume as the solid has, no face through another.
+
+Curved bodies get triangles by our own rules (``face_triangles``), the same on every version of the kernel; the kernel's
+mesher serves flat bodies, where its triangles are exact, and bodies for which ours do not come out right.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +16,8 @@ import numpy as np
 import Part
 
 from ..core import meshes
-from ..errors import EnvelopeError, KernelError, ParameterError
+from ..errors import EnvelopeError, KernelError, ParameterError, TrabeculaError
+from .face_triangles import solid_triangles
 from .vectors import point_array
 
 ANGULAR_DEFLECTION = (
@@ -20,6 +25,13 @@ ANGULAR_DEFLECTION = (
 )
 _FINER = (1.0, 0.7, 0.4)  # parts of the deflection that are tried until the mesh is closed
 _STEEP = math.sin(math.radians(15))  # triangles that cross at less belong to a fold of the mesh, not of the body
+
+
+class Tessellation(NamedTuple):
+    """Triangles of a solid, and why they are the kernel's where they may differ between its versions, else ""."""
+
+    mesh: meshes.Mesh
+    note: str
 
 
 class Crossing(NamedTuple):
@@ -35,15 +47,15 @@ def default_deflection(solid: Part.Shape) -> float:
     return abs(solid.Volume) ** (1 / 3) / 500
 
 
-def tessellate(solid: Part.Shape, deflection: float = 0.0, angle: float = ANGULAR_DEFLECTION) -> meshes.Mesh:
+def tessellate(solid: Part.Shape, deflection: float = 0.0, angle: float = ANGULAR_DEFLECTION) -> Tessellation:
     """Return the triangles of a solid, in double precision.
 
     Parameters
     ----------
     solid : Part.Shape
     deflection : float, mm
-        Distance of triangles from the solid; 0 chooses ``default_deflection``. The kernel may exceed it: on a sphere
-        1.7 times (0.20.2).
+        Distance of triangles from the solid; 0 chooses ``default_deflection``. Where the kernel makes them it may
+        exceed that: on a sphere 1.7 times (0.20.2).
     angle : float
         Greatest angle between neighbouring triangles of one face.
 
@@ -58,12 +70,37 @@ def tessellate(solid: Part.Shape, deflection: float = 0.0, angle: float = ANGULA
 
     Notes
     -----
-    The two kernels (OCCT 7.6, 7.9) place triangles on curved faces differently: volumes agree to the deflection only.
+    The two kernels (OCCT 7.6, 7.9) place triangles on curved faces differently: their volumes agree to the deflection
+    only, ours to rounding.
     """
     if not (math.isfinite(deflection) and deflection >= 0):
         raise ParameterError(f"the deflection must be 0 mm or more, got {deflection:g} mm")
     deflection = deflection or default_deflection(solid)
+    if _is_flat(solid):
+        mesh = _closed_mesh(solid, deflection, angle)
+        _require_volume(mesh, solid, deflection)
+        return Tessellation(mesh, "")
+    try:
+        mesh = solid_triangles(solid, deflection, angle).mesh
+        meshes.require_closed(mesh, "the triangles of a solid")
+        _require_volume(mesh, solid, deflection)
+        return Tessellation(mesh, "")
+    except (TrabeculaError, Part.OCCError, RuntimeError, ValueError, TypeError, StopIteration) as error:
+        reason = str(error)
     mesh = _closed_mesh(solid, deflection, angle)
+    _require_volume(mesh, solid, deflection)
+    note = f"the envelope's triangles are the kernel's and may differ between versions of FreeCAD: {reason}"
+    return Tessellation(mesh, note)
+
+
+def _is_flat(solid: Part.Shape) -> bool:
+    """Return whether all faces are planes between straight edges."""
+    if not all(isinstance(face.Surface, Part.Plane) for face in solid.Faces):
+        return False
+    return all(isinstance(edge.Curve, Part.Line) for edge in solid.Edges if not edge.Degenerated)
+
+
+def _require_volume(mesh: meshes.Mesh, solid: Part.Shape, deflection: float) -> None:
     volume = meshes.mesh_volume(mesh)
     if not volume > 0:
         raise EnvelopeError(
@@ -75,7 +112,6 @@ def tessellate(solid: Part.Shape, deflection: float = 0.0, angle: float = ANGULA
             f"the triangles' volume must be the solid's to {tolerance:.3g} mm3 (deflection times area), "
             f"got {volume:.6g} against {solid.Volume:.6g} mm3"
         )
-    return mesh
 
 
 def _closed_mesh(solid: Part.Shape, deflection: float, angle: float) -> meshes.Mesh:

@@ -19,13 +19,13 @@ EXAMPLES = Path(__file__).resolve().parent.parent.parent / "resources" / "exampl
 
 class Triangles(unittest.TestCase):
     def test_those_of_a_box_are_exact(self):
-        mesh = tessellate(Part.makeBox(1, 2, 3))
+        mesh = tessellate(Part.makeBox(1, 2, 3)).mesh
         self.assertEqual(len(mesh.triangles), 12)
         self.assertAlmostEqual(meshes.mesh_volume(mesh), 6, places=12)
 
     def test_they_are_within_twice_the_deflection_of_a_sphere(self):
         for deflection in (0.2, 0.05, 0.01):
-            mesh = tessellate(Part.makeSphere(5), deflection)
+            mesh = tessellate(Part.makeSphere(5), deflection).mesh
             centres = np.linalg.norm(mesh.corners.mean(1), axis=1)
             np.testing.assert_allclose(np.linalg.norm(mesh.vertices, axis=1), 5, atol=1e-9)
             self.assertGreater(centres.min(), 5 - 2 * deflection)
@@ -39,7 +39,7 @@ class Triangles(unittest.TestCase):
     def test_they_lie_where_the_solid_is_placed(self):
         box = Part.makeBox(1, 2, 3)
         box.Placement = FreeCAD.Placement(Vector(10, 0, 0), FreeCAD.Rotation(Vector(0, 0, 1), 90))
-        low, high = meshes.bounds(tessellate(box))
+        low, high = meshes.bounds(tessellate(box).mesh)
         np.testing.assert_allclose([low, high], [[8, 0, 0], [10, 1, 3]], atol=1e-9)
 
     def test_the_default_deflection_goes_with_the_size(self):
