@@ -119,7 +119,7 @@ def directed_edges(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
 
 
 def _edge_keys(mesh: Mesh, first: int, last: int) -> Tuple[np.ndarray, np.ndarray]:
-    """Sorted numbers of the edges that run up (in vertex numbers) and of those that run down, one number both ways.
+    """Numbers of the edges that run up (in vertex numbers) and of those that run down, one number both ways.
 
     Of the edges whose lower vertex is ``first`` .. ``last - 1``.
     """
@@ -134,24 +134,42 @@ def _edge_keys(mesh: Mesh, first: int, last: int) -> Tuple[np.ndarray, np.ndarra
             key += high[chosen]
             found.append(key)
         keys.append(np.concatenate(found))
-        keys[-1].sort()
     return keys[0], keys[1]
 
 
 def is_closed(mesh: Mesh) -> bool:
-    """Return True if every edge is in exactly two triangles that run along it opposite ways; False if empty."""
+    """Return True if every edge is in exactly two triangles that run along it opposite ways; False if empty.
+
+    Notes
+    -----
+    No edge may run up twice; then those that run down are the same ones if as many have the same sum of 64-bit hashes
+    (but for one chance in 10^19), which saves half of the sorting.
+    """
     blocks, count, found = 1 + len(mesh.triangles) // _EDGE_BLOCK, len(mesh.vertices), 0
     for k in range(blocks):
         up, down = _edge_keys(mesh, k * count // blocks, (k + 1) * count // blocks)
-        if len(up) != len(down) or (up != down).any() or (up[1:] == up[:-1]).any():
+        if len(up) != len(down) or _hash_sum(up) != _hash_sum(down):
+            return False
+        up.sort()
+        if (up[1:] == up[:-1]).any():
             return False
         found += len(up)
     return bool(found) and 2 * found == 3 * len(mesh.triangles)
 
 
+def _hash_sum(keys: np.ndarray) -> int:
+    """Sum of the keys' hashes (finaliser of splitmix64, doi:10.1145/2714064.2660195), whatever their order."""
+    mixed = keys.view(np.uint64).copy()
+    for shift, factor in ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB)):
+        mixed ^= mixed >> np.uint64(shift)
+        mixed *= np.uint64(factor)
+    mixed ^= mixed >> np.uint64(31)
+    return int(mixed.sum(dtype=np.uint64))
+
+
 def edge_faults(mesh: Mesh) -> EdgeFaults:
     """Return the counts of what keeps a mesh from being closed."""
-    up, down = _edge_keys(mesh, 0, len(mesh.vertices))
+    up, down = map(np.sort, _edge_keys(mesh, 0, len(mesh.vertices)))
     keys = np.concatenate([up, down])
     order = np.argsort(keys, kind="stable")
     first = np.flatnonzero(np.diff(keys[order], prepend=-1))
