@@ -8,7 +8,7 @@ checked once, and beta is then drawn row by row within what alpha leaves it: com
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from .layer_fill import layer_sums
 from .parameters import VoxelParameters
 from .tables import Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table
 from .targets import Targets
+
+#: Tables (N, P) and (M, P) that a pair shall be near to.
+Wishes = Tuple[Optional[np.ndarray], Optional[np.ndarray]]
 
 _SWITCHES = 20  # rounds of levelling switches, each of all pairs of rows
 
@@ -87,7 +90,11 @@ def compatible_layers(alpha: np.ndarray, beta: np.ndarray) -> np.ndarray:
 
 
 def draw_pair(
-    targets: Targets, parameters: VoxelParameters, progress: Progress = silent, mask: Optional[np.ndarray] = None
+    targets: Targets,
+    parameters: VoxelParameters,
+    progress: Progress = silent,
+    mask: Optional[np.ndarray] = None,
+    wishes: Wishes = (None, None),
 ) -> TablePair:
     """Return a random compatible pair of tables.
 
@@ -99,6 +106,8 @@ def draw_pair(
     progress : callable
     mask : None
         Tables know lines, not cells: a mask is refused.
+    wishes : pair of ndarrays (N, P), (M, P), optional
+        Tables that alpha and beta shall be near to; only for pairs by constraint.
 
     Raises
     ------
@@ -114,22 +123,25 @@ def draw_pair(
     stream = Stream(parameters.seed, "voxels", "tables")
     if parameters.pairing == "repeat":
         return _pair_by_repeating(targets, parameters, stream, progress)
-    return _pair_by_constraint(targets, parameters, stream, progress)
+    return _pair_by_constraint(targets, parameters, stream, progress, wishes)
 
 
-def _pair_by_constraint(targets: Targets, parameters: VoxelParameters, stream: Stream, progress: Progress) -> TablePair:
+def _pair_by_constraint(
+    targets: Targets, parameters: VoxelParameters, stream: Stream, progress: Progress, wishes: Wishes
+) -> TablePair:
     check_caps(targets, parameters)
     cap_alpha, cap_beta = caps_of(targets, parameters)
     n, m, _ = targets.layers
     ranks = capped_ranks(targets.c, n, cap_alpha)
-    half = part(progress, 0.0, 0.5)
+    halves = part(progress, 0.0, 0.5), part(progress, 0.5, 1.0)
+    near_alpha, near_beta = (None if wish is None else wish.T for wish in wishes)
     for attempt in range(1, min(parameters.tries, 8) + 1):
-        first = solve_table(targets.c, targets.d, ranks, parameters.solver, stream, half)
+        first = solve_table(targets.c, targets.d, ranks, parameters.solver, stream, halves[0], near_alpha)
         for level in (False, True):
             cells = levelled_table(first.cells, cap_alpha) if level else first.cells
             partner = partner_ranks(cells, m, cap_beta)
             if fits(targets.e, partner.sum(0)):
-                second = solve_table(targets.c, targets.e, partner, parameters.solver, stream, part(progress, 0.5, 1.0))
+                second = solve_table(targets.c, targets.e, partner, parameters.solver, stream, halves[1], near_beta)
                 return _pair(cells, first, second, attempt)
     if is_small(targets):
         alpha, beta = layer_sums(searched_design(targets, parameters))

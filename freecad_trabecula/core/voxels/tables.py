@@ -150,6 +150,7 @@ def solve_table(
     solver: str,
     stream: Stream,
     progress: Progress = silent,
+    wish: Optional[np.ndarray] = None,
 ) -> Table:
     """Return a random table with the given sums, each row within its ranks; it never runs into a dead end.
 
@@ -164,6 +165,8 @@ def solve_table(
         its column still needs, which keeps the rest level.
     stream : Stream
     progress : callable
+    wish : ndarray of shape (R, K), int, optional
+        Each row starts there and is changed as little as its sum and bounds ask for.
 
     Raises
     ------
@@ -182,7 +185,8 @@ def solve_table(
         low, high = np.maximum(rest - after[i + 1][0], 0), np.minimum(rest, ranks[i][0])
         weights = np.ones_like(rest) if solver == "thesis" else rest
         for _ in range(_REDRAWS):
-            row = draw_row(int(total), low, high, weights, stream)
+            start = low if wish is None else start_near(wish[i], int(total), low, high, stream)
+            row = draw_row(int(total), start, high, weights, stream)
             if row is not None and fits(row, ranks[i]) and fits(rest - row, after[i + 1]):
                 break
             redrawn += 1
@@ -236,6 +240,26 @@ def draw_row(
         grown = np.minimum(row + np.bincount(picks, minlength=len(row)), high)
         missing -= int((grown - row).sum())
         row = grown
+    return row
+
+
+def start_near(wish: np.ndarray, total: int, low: np.ndarray, high: np.ndarray, stream: Stream) -> np.ndarray:
+    """Return the row between bounds nearest to a wish, less random units where its sum is above the total; (K,) int64.
+
+    Parameters
+    ----------
+    wish, low, high : ndarrays of shape (K,), int
+    total : int
+    stream : Stream
+    """
+    row = np.maximum(np.minimum(wish, high), low).astype(np.int64)
+    excess = int(row.sum()) - total
+    while excess > 0 and (row > low).any():
+        chances = (row - low).cumsum()
+        picks = np.searchsorted(chances, np.floor(stream.many(excess) * chances[-1]), side="right")
+        less = np.maximum(row - np.bincount(picks, minlength=len(row)), low)
+        excess -= int((row - less).sum())
+        row = less
     return row
 
 
