@@ -5,7 +5,8 @@ Samples differ in length, in layers and in where they lie. Along each axis that 
 (by default from their low ends, as the thesis compares cubes of 10.356 and 10 mm), and cut into common layers over the
 stretch that all cover. A profile is taken as a step function, one value over the slab of each slice; the value of a
 common layer is the mean of that function over the layer, so that area times thickness, the volume, is kept exactly.
-Where the layers agree anyway the values are passed on untouched.
+Counts are means over the layer too; porosity is made of the areas. Where the layers agree anyway the values are passed
+on untouched.
 """
 
 from __future__ import annotations
@@ -35,9 +36,9 @@ _SAME = 1e-6  # of a layer: edges nearer to each other than this are one edge
 class Totals(NamedTuple):
     """What tables 5.2 to 5.13 give of one sample along one axis; ranges as (low, high), nan where there is nothing.
 
-    Rods and plates are all contours by the thesis' rule, voids included; trabecular areas are signed (Eq. 5.1), so
-    that a negative low end is the largest void. All slices of the sample count, also those that the others do not
-    reach.
+    Rods and plates are all contours by the thesis' rule, by which voids, whose area is negative, are plates; trabecular
+    areas are signed (Eq. 5.1), so that a negative low end is the largest void. All slices of the sample count, also
+    those that the others do not reach; contours of no more than the least area do not.
     """
 
     rods: int
@@ -132,7 +133,7 @@ class SharedAxis:
         largest = int(np.argmax(np.abs(np.nan_to_num(values))))
         return Difference(
             values=values,
-            mean=float(values.mean()),
+            mean=float(np.mean(values[np.isfinite(values)])) if np.isfinite(values).any() else float("nan"),
             largest=float(values[largest]),
             at=float(self.middles[largest]),
             middle=float(np.interp((self.edges[0] + self.edges[-1]) / 2, self.middles, values)),
@@ -261,11 +262,12 @@ def _limits(values: np.ndarray) -> Tuple[float, float]:
 def totals_of(analysis: Analysis, axis: str) -> Totals:
     """Return the totals and ranges of one analysis along one axis."""
     profile, measures = analysis.profiles[axis], analysis.measures[axis]
-    rods = int(np.count_nonzero(measures.is_rod))
+    counted = np.abs(measures.area) > analysis.parameters.least_area
+    rods = int(np.count_nonzero(counted & measures.is_rod))
     return Totals(
         rods=rods,
-        plates=len(measures.is_rod) - rods,
-        trabecular_area=_limits(measures.area),
+        plates=int(np.count_nonzero(counted)) - rods,
+        trabecular_area=_limits(measures.area[counted]),
         sliced_area=_limits(profile.sliced_area),
         porosity=_limits(profile.porosity),
     )
@@ -331,12 +333,15 @@ def _on_layers(
     start = int(np.argmin(np.abs(own - edges[0])))
     mine = own[start : start + len(edges)]
     is_same = len(mine) == len(edges) and np.abs(mine - edges).max() <= _SAME * layer
-    values = {}
-    for name, _, _ in QUANTITIES:
-        column = largest_areas(analysis, axis) if name == "largest_area" else getattr(profile, name)
-        column = np.asarray(column, float)
-        values[name] = column[start : start + len(edges) - 1] if is_same else resampled(own, column, edges)
-    return values, not is_same
+    columns = {name: np.asarray(getattr(profile, name, ()), float) for name, _, _ in QUANTITIES}
+    columns["largest_area"] = largest_areas(analysis, axis)
+    if is_same:
+        return {name: column[start : start + len(edges) - 1] for name, column in columns.items()}, False
+    values = {name: resampled(own, column, edges) for name, column in columns.items() if name != "porosity"}
+    envelope = resampled(own, profile.envelope_area, edges)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values["porosity"] = np.where(envelope > 0, 1 - values["sliced_area"] / envelope, np.nan)
+    return values, True
 
 
 def _notes(

@@ -9,7 +9,7 @@ equal.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Dict, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Callable, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -122,6 +122,8 @@ def passport(
 
 def profile_distance(first: np.ndarray, second: np.ndarray, order: int) -> float:
     """Return the relative L1 or L2 distance (``order`` 1 or 2) of two profiles (B,); nan if only the first is all 0."""
+    if not len(first):
+        return float("nan")
     size = float((np.abs(first) ** order).sum())
     apart = float((np.abs(second - first) ** order).sum())
     if apart == 0:
@@ -132,7 +134,7 @@ def profile_distance(first: np.ndarray, second: np.ndarray, order: int) -> float
 def correlation(first: np.ndarray, second: np.ndarray) -> float:
     """Return Pearson's correlation of two profiles (B,); 1 if they are equal, else nan if one of them is constant."""
     if np.array_equal(first, second):
-        return 1.0
+        return 1.0 if len(first) else float("nan")
     if np.ptp(first) == 0 or np.ptp(second) == 0:
         return float("nan")
     a, b = first - first.mean(), second - second.mean()
@@ -163,26 +165,33 @@ def hellinger(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def trabecular_areas(analysis: Analysis, axis: str) -> np.ndarray:
-    """Return the areas, mm², of all trabeculae along one axis: outer contours, net of their holes, above 0."""
+    """Return the areas, mm², of all trabeculae along one axis: outer contours, net of their holes."""
     areas = np.asarray(analysis.measures[axis].net_area, float)
-    return areas[areas > 0]  # not where nan: a hole
+    return areas[areas > analysis.parameters.least_area]  # not where nan: a hole
 
 
 def _axis_scores(shared: SharedAxis, first: Analysis, second: Analysis) -> Tuple[Score, ...]:
     scores = []
     for name, words, unit in _PROFILES:
         a, b = shared.values[name]
+        both = np.isfinite(a) & np.isfinite(b)  # porosity is none where the envelope is not
+        a, b = a[both], b[both]
         scores += [
             Score(words, "L1", profile_distance(a, b, 1), "1"),
             Score(words, "L2", profile_distance(a, b, 2), "1"),
             Score(words, "r", correlation(a, b), "1"),
-            Score(words, "dmean", float(b.mean() - a.mean()), unit),
-            Score(words, "dlow", float(b.min() - a.min()), unit),
-            Score(words, "dhigh", float(b.max() - a.max()), unit),
+            *(Score(words, symbol, _apart(a, b, of), unit) for symbol, of in _STATISTICS),
         ]
     areas = [trabecular_areas(analysis, shared.axis) for analysis in (first, second)]
     a, b = (t.rods / max(t.rods + t.plates, 1) for t in shared.totals)
     return (*scores, *_distribution_scores(*areas), Score("contours", "drods", b - a, "1"))
+
+
+_STATISTICS = (("dmean", np.mean), ("dlow", np.min), ("dhigh", np.max))
+
+
+def _apart(first: np.ndarray, second: np.ndarray, of: Callable[[np.ndarray], float]) -> float:
+    return float(of(second) - of(first)) if len(first) else float("nan")
 
 
 def _distribution_scores(first: np.ndarray, second: np.ndarray) -> Tuple[Score, ...]:

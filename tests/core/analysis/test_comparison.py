@@ -19,13 +19,14 @@ def sample(name, sliced, thickness=0.1, low=0.0, at="middle", axes="x", areas=((
     counts = np.asarray(np.ones(len(sliced)) if contours is None else contours)
     profile = SimpleNamespace(
         thickness=thickness, coordinate=coordinate, sliced_area=sliced, porosity=1 - sliced / 100,
-        contours=counts, outer_contours=counts, holes=0 * counts,
+        contours=counts, outer_contours=counts, holes=0 * counts, envelope_area=np.full(len(sliced), 100.0),
     )  # fmt: skip
     plane, area, is_rod = (np.array(column) for column in zip(*areas))
     measures = SimpleNamespace(plane=plane, area=area, net_area=np.where(area > 0, area, np.nan), is_rod=is_rod)
     high = low + thickness * len(sliced)
     return SimpleNamespace(
-        name=name, box=np.array([[low] * 3, [high] * 3]), parameters=SimpleNamespace(at=at), morphometry=None,
+        name=name, box=np.array([[low] * 3, [high] * 3]),
+        parameters=SimpleNamespace(at=at, least_area=1e-6), morphometry=None,
         profiles=dict.fromkeys(axes, profile), measures=dict.fromkeys(axes, measures),
     )  # fmt: skip
 
@@ -47,6 +48,15 @@ def test_three_layers_become_two_by_halves():
     assert found.thickness == pytest.approx(0.3)
     assert found.values["sliced_area"][1] == pytest.approx([(2 * 3 + 6) / 3, (6 + 2 * 9) / 3])
     assert found.resampled == (False, True)
+
+
+def test_porosity_of_a_common_layer_is_made_of_its_areas():
+    a, b = sample("a", [1, 2], 0.3), sample("b", [3, 6, 9], 0.2)
+    # the envelope grows: a mean of porosities would be another number; the first slice has none
+    b.profiles["x"].envelope_area = np.array([0.0, 60.0, 10.0])
+    b.profiles["x"].porosity = np.array([np.nan, 0.9, 0.1])
+    found = c.compare([a, b]).axes["x"].values["porosity"][1]
+    assert found == pytest.approx([1 - (2 * 3 + 6) / 60, 1 - (6 + 2 * 9) / (60 + 2 * 10)])
 
 
 def test_equal_layers_are_passed_on_bit_by_bit():

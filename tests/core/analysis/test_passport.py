@@ -17,7 +17,7 @@ def sample(name, sliced, areas, axes="xyz", morphometry=None):
     counts = np.round(sliced)
     profile = SimpleNamespace(
         thickness=0.1, coordinate=0.05 + 0.1 * np.arange(len(sliced)), sliced_area=sliced, porosity=1 - sliced / 100,
-        contours=counts, outer_contours=counts, holes=0 * counts,
+        contours=counts, outer_contours=counts, holes=0 * counts, envelope_area=np.full(len(sliced), 100.0),
     )  # fmt: skip
     measures = SimpleNamespace(
         plane=np.zeros(len(areas), int), area=areas, net_area=np.where(areas > 0, areas, np.nan), is_rod=areas > 1
@@ -26,7 +26,8 @@ def sample(name, sliced, areas, axes="xyz", morphometry=None):
         measures=tuple(SimpleNamespace(symbol=s, value=v) for s, v in morphometry.items())
     )  # fmt: skip
     return SimpleNamespace(
-        name=name, box=np.array([[0.0] * 3, [0.1 * len(sliced)] * 3]), parameters=SimpleNamespace(at="middle"),
+        name=name, box=np.array([[0.0] * 3, [0.1 * len(sliced)] * 3]),
+        parameters=SimpleNamespace(at="middle", least_area=1e-6),
         profiles=dict.fromkeys(axes, profile), measures=dict.fromkeys(axes, measures), morphometry=measured,
     )  # fmt: skip
 
@@ -127,6 +128,15 @@ def test_morphometry_is_compared_by_ratios_of_what_both_have():
     assert value(whole, "Tb.Th", "ratio") == pytest.approx(0.5)
     assert math.isnan(value(whole, "Conn.D", "ratio"))
     assert "DA" not in {s.of for s in whole}
+
+
+def test_layers_without_a_porosity_are_left_out_of_its_scores():
+    a, b = sample("a", [10, 20], [1.0], axes="x"), sample("b", [10, 30], [1.0], axes="x")
+    a.profiles["x"].porosity[0] = np.nan
+    scores = p.passport(a, b).axes["x"]
+    assert value(scores, "porosity", "dmean") == pytest.approx(-0.1)
+    a.profiles["x"].porosity[1] = np.nan
+    assert math.isnan(value(p.passport(a, b).axes["x"], "porosity", "L2"))
 
 
 def test_analyses_with_nothing_in_common_are_refused():
