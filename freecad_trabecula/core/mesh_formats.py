@@ -24,7 +24,7 @@ from .stl import stl_bytes, whole_file
 _BLOCK = 100_000  # lines of text formatted at once
 _LEVEL = 4  # of 3MF's compression: higher ones take twice as long for 3 % less
 _SAMPLES, _SAMPLE = 8, 1000  # stretches of lines, and lines in each, from which a text's size is estimated
-_TYPES = {
+PLY_TYPES = {
     "float": "f4", "float32": "f4", "double": "f8", "float64": "f8",
     "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1",
     "short": "i2", "int16": "i2", "ushort": "u2", "uint16": "u2",
@@ -83,8 +83,8 @@ def mesh_from_ply(data: bytes) -> Mesh:
 
 def _ply_fields(words: Sequence[str]) -> list:
     if words[1] == "list":
-        return [("count", "<" + _TYPES[words[2]]), ("corners", "<" + _TYPES[words[3]], 3)]
-    return [(words[2], "<" + _TYPES[words[1]])]
+        return [("count", "<" + PLY_TYPES[words[2]]), ("corners", "<" + PLY_TYPES[words[3]], 3)]
+    return [(words[2], "<" + PLY_TYPES[words[1]])]
 
 
 # ------------------------------------------------------------------------------------------------------- OBJ and 3MF

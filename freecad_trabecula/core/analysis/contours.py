@@ -161,17 +161,16 @@ def contour_measures(contours: Contours, parameters: SliceParameters, progress: 
     little cancels.
     """
     sums = _sums(contours, progress)
-    starts, u, v = contours.starts, contours.points[:, 0], contours.points[:, 1]
     area = np.where(contours.closed, sums["area"], 0.0)
-    left = sums["leftmost"].astype(np.int64)
-    parent = contour_parents(Polygons(u, v, starts, contours.plane, area, left), _POINTS)
-    parent[~contours.closed] = -1
+    low, high = (np.stack([sums[side + "u"], sums[side + "v"]]) for side in ("low_", "high_"))
+    width, height = high - low
+    parent = contour_parents(Polygons(contours.points, contours.starts, contours.plane, area, low, high))
     outer = area > 0
     is_own_hole = (area < 0) & (parent >= 0) & outer[parent]
     net = area + np.bincount(parent[is_own_hole], area[is_own_hole], len(area))
     with np.errstate(divide="ignore", invalid="ignore"):
         moments = _central_moments(sums)
-        ratio = np.abs(area) / (sums["width"] * sums["height"])
+        ratio = np.abs(area) / (width * height)
         trace = moments[:, 0] + moments[:, 2]
         circularity = area**2 / (2 * np.pi * trace)
         spread = np.hypot(moments[:, 0] - moments[:, 2], 2 * moments[:, 1])
@@ -179,7 +178,7 @@ def contour_measures(contours: Contours, parameters: SliceParameters, progress: 
         centroid = np.stack([sums["first_u"] + sums["u"] / area, sums["first_v"] + sums["v"] / area], 1)
     measures = ContourMeasures(
         plane=contours.plane, area=area, net_area=np.where(outer, net, np.nan), perimeter=sums["perimeter"],
-        width=sums["width"], height=sums["height"], centroid=centroid, moments=moments, ratio=ratio,
+        width=width, height=height, centroid=centroid, moments=moments, ratio=ratio,
         is_rod=outer & (ratio >= parameters.rod_ratio), circularity=circularity,
         is_rod_invariant=outer & (circularity >= parameters.rod_ratio), aspect=aspect,
         equivalent_diameter=np.sqrt(4 / np.pi * np.abs(area)), parent=parent,
@@ -197,7 +196,10 @@ def _central_moments(sums: Dict[str, np.ndarray]) -> np.ndarray:
     return np.stack(about, 1) * np.sign(area)[:, None]
 
 
-_SUMS = ("area", "u", "v", "uu", "uv", "vv", "perimeter", "width", "height", "leftmost", "first_u", "first_v")
+_SUMS = (
+    *("area", "u", "v", "uu", "uv", "vv", "perimeter"),
+    *("low_u", "high_u", "low_v", "high_v", "first_u", "first_v"),
+)
 
 
 def _sums(contours: Contours, progress: Progress) -> Dict[str, np.ndarray]:
@@ -210,7 +212,6 @@ def _sums(contours: Contours, progress: Progress) -> Dict[str, np.ndarray]:
         u, v = (contours.points[starts[begin] : starts[end], k] for k in (0, 1))
         for name, values in zip(_SUMS, _sums_of(u, v, starts[begin : end + 1] - starts[begin])):
             result[name][begin:end] = values
-        result["leftmost"][begin:end] += starts[begin]
         progress(end, len(contours), "measuring contours")
         begin = end
     return result
@@ -219,11 +220,7 @@ def _sums(contours: Contours, progress: Progress) -> Dict[str, np.ndarray]:
 def _sums_of(u: np.ndarray, v: np.ndarray, starts: np.ndarray) -> Tuple[np.ndarray, ...]:
     """The sums of some contours, in the order of ``_SUMS``."""
     begin, last, sizes = starts[:-1], starts[1:] - 1, np.diff(starts)
-    low = np.minimum.reduceat(u, begin)
-    width = np.maximum.reduceat(u, begin) - low
-    height = np.maximum.reduceat(v, begin) - np.minimum.reduceat(v, begin)
-    at_low = np.flatnonzero(u == np.repeat(low, sizes))
-    leftmost = at_low[np.searchsorted(at_low, begin)]
+    box = [side.reduceat(x, begin) for x in (u, v) for side in (np.minimum, np.maximum)]
     first_u, first_v = u[begin], v[begin]
     u, v = u - np.repeat(first_u, sizes), v - np.repeat(first_v, sizes)
     p, q = np.append(u[1:], 0.0), np.append(v[1:], 0.0)
@@ -238,4 +235,4 @@ def _sums_of(u: np.ndarray, v: np.ndarray, starts: np.ndarray) -> Tuple[np.ndarr
     p -= u
     q -= v
     perimeter = np.add.reduceat(np.sqrt(p * p + q * q), begin)
-    return (area, *first, *second, perimeter, width, height, leftmost, first_u, first_v)
+    return (area, *first, *second, perimeter, *box, first_u, first_v)

@@ -3,113 +3,153 @@
 
 from __future__ import annotations
 
-from typing import List, NamedTuple
+from typing import Iterator, NamedTuple, Tuple
 
 import numpy as np
 
-_CELLS = 1024  # of a plane's range, at most: an edge meets the few contours in its own cells
-_ALL_CELLS = 4_000_000
+_POINTS = 50_000  # worked on at once: temporary arrays stay in the processor's cache
+_PAIRS = 500_000
+_CELLS = 1024  # of the range of v on a plane, at most: an edge meets the rays in its own cells only
+_ALL_CELLS = 1_000_000
 
 
 class Polygons(NamedTuple):
-    """Closed polylines on planes: what is needed to nest them.
+    """Closed polylines on planes.
 
     Attributes
     ----------
-    u, v : ndarray (N,), mm
-        Points, polygon by polygon.
+    points : ndarray (N, 2), mm
+        Polygon by polygon; the first point is not repeated.
     starts : ndarray (C + 1,), plane : ndarray (C,)
-        First point and plane of each.
+        First point of each; its plane, ascending.
     area : ndarray (C,), mm²
-        Signed; those of the area 0 hold nothing.
-    leftmost : ndarray (C,)
-        Position of a point of least u.
+        Positive for outer ones, negative for holes.
+    low, high : ndarray (2, C), mm
+        Corners of the boxes.
     """
 
-    u: np.ndarray
-    v: np.ndarray
+    points: np.ndarray
     starts: np.ndarray
     plane: np.ndarray
     area: np.ndarray
-    leftmost: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
 
 
-def contour_parents(polygons: Polygons, points_at_once: int) -> np.ndarray:
-    """Return the smallest polygon (C,) of the same plane that each lies in, -1 for none.
+class _Rays(NamedTuple):
+    """Rays to the left from points (R, 2) of polygons, sorted by plane and cell of v; how many before each cell."""
+
+    polygon: np.ndarray
+    tip: np.ndarray
+    before: np.ndarray
+    cells: int
+    low: float
+    scale: float
+
+    def cell(self, v: np.ndarray) -> np.ndarray:
+        return ((v - self.low) * self.scale).astype(np.int32)
+
+
+def contour_parents(polygons: Polygons) -> np.ndarray:
+    """Return the smallest outer polygon (C,) round each hole, and hole round each outer one; -1 for none.
 
     Notes
     -----
-    From the leftmost point of each polygon a ray runs left; the nearest edge that it meets is of the parent, or of a
-    polygon beside it with the same parent: the way the edge runs tells which. Edges find the rays that may meet them
-    by cells of v. Polygons that cross each other have no nesting; each still gets an answer.
+    Only those come into question whose boxes lie in one another. From the leftmost point of the inner one a ray runs
+    left: it is inside if the ray meets the outer one's edges an odd number of times. Edges find the rays that they may
+    meet by cells of v.
     """
-    rays = _Rays(polygons)
-    hits = [_hits(polygons, rays, begin, points_at_once) for begin in range(0, len(polygons.u), points_at_once)]
     parent = np.full(len(polygons.plane), -1, np.int64)
-    if not hits:
+    inner, outer = np.zeros(len(parent), bool), np.zeros(len(parent), bool)
+    for a, b in _pairs_of_opposite_sign(polygons):
+        within = ((polygons.low[:, b] <= polygons.low[:, a]) & (polygons.high[:, a] <= polygons.high[:, b])).all(0)
+        inner[a[within]] = outer[b[within]] = True
+    if not inner.any():
         return parent
-    ray, at, polygon, inside = (np.concatenate(column) for column in zip(*hits))
-    order = np.lexsort((at, ray))
-    nearest = order[np.flatnonzero(np.append(ray[order][1:] != ray[order][:-1], True))] if len(order) else order
-    ray, polygon, inside = ray[nearest], polygon[nearest], inside[nearest]
-    parent[ray[inside]] = polygon[inside]
-    beside = np.arange(len(parent))
-    beside[ray[~inside]] = polygon[~inside]
-    while True:  # each lies to the left of the one before: no circles
-        further = beside[beside]
-        if (further == beside).all():
-            return parent[beside]
-        beside = further
+    rays, hosts = _rays(polygons, np.flatnonzero(inner)), np.flatnonzero(outer)
+    ends = np.cumsum(np.diff(polygons.starts)[hosts])
+    begin, hits = 0, []
+    while begin < len(hosts):
+        done = ends[begin - 1] if begin else 0
+        stop = max(begin + 1, int(np.searchsorted(ends, done + _POINTS, "right")))
+        hits.append(_hits(polygons, rays, hosts[begin:stop]))
+        begin = stop
+    # (inner, outer) of each hit; those hit an odd number of times
+    pairs, times = np.unique(np.concatenate(hits), return_counts=True)
+    a, b = np.divmod(pairs[times % 2 == 1], len(parent))
+    fits = (polygons.area[a] > 0) != (polygons.area[b] > 0)
+    a, b = a[fits], b[fits]
+    order = np.argsort(-np.abs(polygons.area[b]), kind="stable")
+    parent[a[order]] = b[order]  # the smallest is written last
+    return parent
 
 
-class _Rays:
-    """Rays to the left, sorted by plane and cell of v."""
+def _pairs_of_opposite_sign(polygons: Polygons) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+    """All pairs of a hole and an outer polygon of the same plane, both ways round, some at a time."""
+    holes = np.flatnonzero(polygons.area < 0)
+    first = np.searchsorted(polygons.plane, polygons.plane[holes], "left")
+    number = np.searchsorted(polygons.plane, polygons.plane[holes], "right") - first
+    ends, begin = np.cumsum(number), 0
+    while begin < len(holes):
+        done = ends[begin - 1] if begin else 0
+        stop = max(begin + 1, int(np.searchsorted(ends, done + _PAIRS, "right")))
+        size = number[begin:stop]
+        hole = np.repeat(holes[begin:stop], size)
+        other = np.arange(len(hole)) + np.repeat(first[begin:stop] - np.cumsum(size) + size, size)
+        solid = polygons.area[other] > 0
+        hole, other = hole[solid], other[solid]
+        yield hole, other
+        yield other, hole
+        begin = stop
 
-    def __init__(self, polygons: Polygons) -> None:
-        planes = int(polygons.plane.max(initial=-1)) + 1
-        crowd = int(np.bincount(polygons.plane, minlength=1).max())
-        self.cells = max(1, min(_CELLS, 4 * crowd, _ALL_CELLS // max(planes, 1)))
-        self.low = polygons.v.min(initial=np.inf)
-        extent = polygons.v.max(initial=-np.inf) - self.low
-        self.scale = (self.cells - 1) / extent if extent > 0 else 0.0
-        cell = polygons.plane * self.cells + self.cell(polygons.v[polygons.leftmost])
-        self.order = np.argsort(cell, kind="stable")
-        self.before = np.append(0, np.cumsum(np.bincount(cell, minlength=planes * self.cells)))
 
-    def cell(self, v: np.ndarray) -> np.ndarray:
-        return ((v - self.low) * self.scale).astype(np.int64)
+def _rays(polygons: Polygons, inner: np.ndarray) -> _Rays:
+    planes = int(polygons.plane[-1]) + 1
+    crowd = int(np.bincount(polygons.plane[inner]).max())
+    cells = max(1, min(_CELLS, 4 * crowd, _ALL_CELLS // planes))
+    low, high = float(polygons.low[1].min()), float(polygons.high[1].max())
+    tip = _leftmost(polygons, inner)
+    rays = _Rays(inner, tip, np.zeros(1), cells, low, (cells - 1) / (high - low) if high > low else 0.0)
+    cell = polygons.plane[inner] * cells + rays.cell(tip[:, 1])
+    order = np.argsort(cell, kind="stable")
+    before = np.append(0, np.cumsum(np.bincount(cell, minlength=planes * cells))).astype(np.int32)
+    return rays._replace(polygon=inner[order], tip=tip[order], before=before)
 
 
-def _hits(polygons: Polygons, rays: _Rays, begin: int, count: int) -> List[np.ndarray]:
-    """Edges from the points ``begin`` on that rays meet: ray, where (u), polygon, whether the ray comes from inside."""
-    u, v, starts = polygons.u[begin : begin + count], polygons.v[begin : begin + count], polygons.starts
-    point = np.arange(begin, begin + len(u))
-    first = int(np.searchsorted(starts, begin, "right")) - 1
-    last = int(np.searchsorted(starts, begin + len(u), "left"))
-    sizes = np.minimum(starts[first + 1 : last + 1], begin + len(u)) - np.maximum(starts[first:last], begin)
-    of = np.repeat(np.arange(first, last), sizes)
-    cell = rays.cell(v)
-    after = point + 1
-    ends = starts[first + 1 : last + 1]
-    ends = ends[ends <= begin + len(u)]
-    after[ends - 1 - begin] = starts[first : first + len(ends)]
-    outside = after - begin
-    cell_after = np.where((outside >= 0) & (outside < len(u)), cell[outside % len(u)], -1)
-    far = np.flatnonzero(cell_after < 0)
-    cell_after[far] = rays.cell(polygons.v[after[far]])
-    base = polygons.plane[of] * rays.cells
-    low = rays.before[base + np.minimum(cell, cell_after)]
-    number = rays.before[base + np.maximum(cell, cell_after) + 1] - low
-    some = np.flatnonzero(number)
-    number, low = number[some], low[some]
-    edge = np.repeat(some, number)
-    ray = rays.order[np.arange(len(edge)) + np.repeat(low - np.cumsum(number) + number, number)]
-    a, b = u[edge], v[edge]
-    c, d = polygons.u[after[edge]], polygons.v[after[edge]]
-    tip, level, of = polygons.u[polygons.leftmost[ray]], polygons.v[polygons.leftmost[ray]], of[edge]
-    meets = np.flatnonzero(((b <= level) != (d <= level)) & (of != ray) & (polygons.area[of] != 0))
-    a, b, c, d, level = (x[meets] for x in (a, b, c, d, level))
-    at = a + (level - b) * ((c - a) / (d - b))
-    left = np.flatnonzero(at < tip[meets])
-    of = of[meets][left]
-    return [ray[meets][left], at[left], of, (polygons.area[of] > 0) == (d < b)[left]]
+def _leftmost(polygons: Polygons, some: np.ndarray) -> np.ndarray:
+    """A point (R, 2) of least u of each of some polygons."""
+    source, begins = _points_of(polygons, some)
+    u = polygons.points[source, 0]
+    at_low = np.flatnonzero(u == np.repeat(polygons.low[0, some], np.diff(polygons.starts)[some]))
+    return polygons.points[source[at_low[np.searchsorted(at_low, begins)]]]
+
+
+def _points_of(polygons: Polygons, some: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Positions of all points of some polygons, and where among them each begins."""
+    sizes = np.diff(polygons.starts)[some]
+    begins = np.cumsum(sizes) - sizes
+    return np.arange(begins[-1] + sizes[-1]) + np.repeat(polygons.starts[some] - begins, sizes), begins
+
+
+def _hits(polygons: Polygons, rays: _Rays, hosts: np.ndarray) -> np.ndarray:
+    """One number, ray x C + polygon, for each time that a ray meets an edge of the polygons ``hosts``."""
+    source, begins = _points_of(polygons, hosts)
+    sizes = np.diff(polygons.starts)[hosts]
+    u, v = polygons.points[source, 0], polygons.points[source, 1]
+    after = np.arange(1, len(u) + 1)
+    after[begins + sizes - 1] = begins
+    cell = rays.cell(v) + np.repeat(polygons.plane[hosts] * rays.cells, sizes)
+    other = cell[after]
+    low = rays.before[np.minimum(cell, other)]
+    number = rays.before[np.maximum(cell, other) + 1] - low
+    edges = np.flatnonzero(number)
+    low, number = low[edges], number[edges]
+    edge = np.repeat(edges, number)
+    ray = np.arange(len(edge)) + np.repeat(low - np.cumsum(number) + number, number)
+    tip = rays.tip[ray]
+    meets = np.flatnonzero((v[edge] <= tip[:, 1]) != (v[after[edge]] <= tip[:, 1]))
+    edge, ray, tip = edge[meets], ray[meets], tip[meets]
+    a, b, c, d = u[edge], v[edge], u[after[edge]], v[after[edge]]
+    left = np.flatnonzero(a + (tip[:, 1] - b) * ((c - a) / (d - b)) < tip[:, 0])
+    host = hosts[np.searchsorted(begins, edge[left], "right") - 1]
+    return rays.polygon[ray[left]].astype(np.int64) * len(polygons.plane) + host

@@ -2,10 +2,10 @@
 """Planes cut through triangles: sliced areas, and contours in order.
 
 A corner on a plane counts as above it (``side="below"``: the slice is that of a plane a hair's breadth below;
-``"above"``: corners on a plane count as below it), so that planes cut edges only and a closed mesh gives closed contours only. The
-point on an edge is interpolated from its lower to its upper end by both of its triangles: bit by bit the same. Seen
-from the positive end of the axis material lies on the left: contours round material have a positive area, round voids
-a negative one.
+``"above"``: corners on a plane count as below it). So planes cut edges only, and a closed mesh gives closed contours
+only. The point on an edge is interpolated from its lower to its upper end by both of its triangles: bit by bit the
+same. Seen from the positive end of the axis material lies on the left: contours round material have a positive area,
+round voids a negative one.
 
 On each plane a triangle's segment runs from its falling edge (upper to lower corner) to its rising one. A *piece* is a
 triangle and the planes that cut the same two of its edges; a *node* is the point of one plane on its falling edge.

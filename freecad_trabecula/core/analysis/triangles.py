@@ -10,11 +10,11 @@ from typing import Tuple, Union
 import numpy as np
 
 from ...errors import MeshError, ParameterError
+from ..mesh_readers import read_mesh
 from ..meshes import Mesh
-from ..stl import read_triangles
 
 #: Millimetres in a unit of length.
-UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 0.001, "inch": 25.4}
+UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 0.001, "inch": 25.4, "foot": 304.8}
 LARGEST = 1e6  # mm; a kilometre is no bone, and 1e30 in a file is a fault
 _LIKELY_MM = (0.5, 2000.0)  # size of a body whose file has no unit: an ROI of 0.5 mm to a human
 
@@ -98,22 +98,14 @@ def read_soup(path: Union[str, Path], unit: str = "auto") -> Soup:
     if unit != "auto" and unit not in UNITS:
         raise ParameterError(f"the unit must be auto or one of {', '.join(UNITS)}, got {unit!r}")
     path = Path(path)
-    triangles, own = _read(path)
+    triangles, own = read_mesh(path)
+    triangles = np.ascontiguousarray(triangles.transpose(2, 1, 0)).transpose(2, 1, 0)  # as ``by_corners`` wants them
     said = unit
     if unit == "auto":
         unit, said = (own, f"{own} (the file's)") if own else _guessed(triangles)
     if UNITS[unit] != 1.0:
         triangles = (triangles.transpose(2, 1, 0) * np.float32(UNITS[unit])).transpose(2, 1, 0)
     return Soup(triangles, said, path.name)
-
-
-def _read(path: Path) -> Tuple[np.ndarray, str]:
-    """Triangles, in the layout of ``by_corners``, and the unit if the file has one."""
-    kind = path.suffix.lower()
-    if kind == ".stl":
-        triangles = read_triangles(path)
-        return np.ascontiguousarray(triangles.transpose(2, 1, 0)).transpose(2, 1, 0), ""
-    raise MeshError(f"{path} must be an STL file, got {kind or 'no suffix'}")
 
 
 def _guessed(triangles: np.ndarray) -> Tuple[str, str]:
