@@ -17,7 +17,12 @@ PACKAGE = "freecad_trabecula"
 #: "bare" modules run in any Python, one without numpy too.
 LAYERS = (
     # name, modules, imports, imports inside functions
-    ("bare", ("errors", "__main__", "shell.arguments", "shell.launch"), ("stdlib", ".bare"), ()),
+    (
+        "bare",
+        ("errors", "__main__", "shell.arguments", "shell.option_values", "shell.slice_options", "shell.launch"),
+        ("stdlib", ".bare"),
+        (),
+    ),
     (
         "core",
         ("core.*",),

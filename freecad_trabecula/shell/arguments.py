@@ -12,14 +12,16 @@ import os
 import sys
 from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
+from . import slice_options
+from .option_values import PROGRAM, pair, whole_number
+
 #: The engines of core/parameters.py, which needs numpy; a test holds the two lists together.
 ENGINES = ("auto", "mesh", "field", "brep")
 #: Further formats of the scaffold and the channels, besides STL (geometry/files.py; held by a test too).
 MORE_FORMATS = ("obj", "ply", "3mf", "brep")
 
-PROGRAM = "python3 -m freecad_trabecula"
 
-_EXAMPLES = f"""\
+_DESIGN_EXAMPLES = f"""\
 examples:
   {PROGRAM} design --preset case6 --out build/case6
   {PROGRAM} design --preset case6 --seed 7 --set pores.size.high=0.6 --set prism.n_x=9 --out build/other
@@ -46,7 +48,9 @@ class Command(NamedTuple):
     check : callable
         Returns what is wrong with a set of options as one sentence, or nothing.
     paths : tuple of str
-        Options that name files or folders: they are made absolute before FreeCAD is started.
+        Options that name files or folders, or lists of them: they are made absolute before FreeCAD is started.
+    examples : str
+        The end of its help.
     """
 
     name: str
@@ -55,6 +59,7 @@ class Command(NamedTuple):
     add_options: Callable[[argparse.ArgumentParser], None]
     check: Callable[[Dict[str, Any]], Optional[str]]
     paths: Tuple[str, ...]
+    examples: str = ""
 
 
 class Parser(argparse.ArgumentParser):
@@ -64,20 +69,6 @@ class Parser(argparse.ArgumentParser):
         """Print the sentence and leave with exit code 2."""
         sys.stderr.write(f"{self.prog}: {message} (--help shows what there is)\n")
         sys.exit(2)
-
-
-def _whole_number(text: str) -> int:
-    try:
-        return int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"it must be a whole number, got {text!r}") from None
-
-
-def _pair(text: str) -> str:
-    first, colon, second = text.partition(":")
-    if not (colon and first.strip() and second.strip()) or ":" in second:
-        raise argparse.ArgumentTypeError(f"two faces must read FACE:FACE, e.g. Face1:Face2, got {text!r}")
-    return f"{first.strip()}:{second.strip()}"
 
 
 def _design_options(parser: argparse.ArgumentParser) -> None:
@@ -96,12 +87,12 @@ def _design_options(parser: argparse.ArgumentParser) -> None:
     source.add_argument(
         "--couple",
         metavar="FACE:FACE",
-        type=_pair,
+        type=pair,
         action="append",
         default=[],
         help="couple two faces of --envelope, named as FreeCAD names them; may be repeated, order counts",
     )
-    source.add_argument("--seed", metavar="N", type=_whole_number, help="one number reproduces all random draws")
+    source.add_argument("--seed", metavar="N", type=whole_number, help="one number reproduces all random draws")
     source.add_argument("--engine", choices=ENGINES, help="how the scaffold is made (default: chosen by an estimate)")
     source.add_argument(
         "--set",
@@ -151,8 +142,31 @@ COMMANDS: Tuple[Command, ...] = (
         _design_options,
         _check_design,
         ("job", "envelope", "out", "save_job"),
+        _DESIGN_EXAMPLES,
+    ),
+    Command(
+        "analyse",
+        "measure every slice of a body, and its morphometry",
+        "freecad_trabecula.shell.analyse",
+        slice_options.analyse_options,
+        slice_options.check_analyse,
+        ("file", "out"),
+        slice_options.ANALYSE_EXAMPLES,
+    ),
+    Command(
+        "compare",
+        "compare analyses on shared axes, with a passport of scores",
+        "freecad_trabecula.shell.compare",
+        slice_options.compare_options,
+        slice_options.check_compare,
+        ("samples", "out"),
+        slice_options.COMPARE_EXAMPLES,
     ),
 )
+
+
+def _absolute(path: str) -> str:
+    return os.path.abspath(os.path.expanduser(path))
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -163,7 +177,7 @@ def make_parser() -> argparse.ArgumentParser:
     for command in COMMANDS:
         title = command.summary[0].upper() + command.summary[1:] + " (lengths in mm)."
         own = kinds.add_parser(
-            command.name, help=command.summary, description=title, epilog=_EXAMPLES, formatter_class=form,
+            command.name, help=command.summary, description=title, epilog=command.examples, formatter_class=form,
             allow_abbrev=False,
         )  # fmt: skip
         command.add_options(own)
@@ -194,6 +208,9 @@ def read_arguments(arguments: Sequence[str]) -> Tuple[Command, Dict[str, Any]]:
         parser.prog = f"{PROGRAM} {command.name}"
         parser.error(wrong)
     for name in command.paths:
-        if options[name]:
-            options[name] = os.path.abspath(os.path.expanduser(options[name]))
+        value = options[name]
+        if isinstance(value, list):
+            options[name] = [_absolute(path) for path in value]
+        elif value:
+            options[name] = _absolute(value)
     return command, options

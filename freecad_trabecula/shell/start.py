@@ -115,7 +115,7 @@ class Session:
             self.report("trace", text="".join(traceback.format_exception(kind, error, trace)))
             text = str(error) if isinstance(error, errors.TrabeculaError) else f"unexpected {kind.__name__}: {error}"
             if isinstance(error, MemoryError):
-                text = "there is not enough memory for this design; fewer rods, a coarser deflection or cell need less"
+                text = "there is not enough memory; fewer rods or planes, coarser meshes or cells need less"
             self.report("error", text=text, unexpected=True)
         return True
 
