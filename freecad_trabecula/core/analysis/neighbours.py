@@ -34,7 +34,8 @@ def corner_keys(points: np.ndarray) -> np.ndarray:
     for start in range(0, len(keys), _CHUNK):
         x, y, z = (points[:, start : start + _CHUNK] + np.float32(0)).view(np.uint32).astype(np.uint64)
         key = (x << np.uint64(32) | y) * np.uint64(_MULTIPLIER)
-        key = (key ^ key >> np.uint64(32) ^ z) * np.uint64(0xBF58476D1CE4E5B9)
+        # z multiplied: else the signs of x and z change the same bits, and mirror images cancel each other out
+        key = (key ^ key >> np.uint64(32) ^ z * np.uint64(_MULTIPLIER)) * np.uint64(0xBF58476D1CE4E5B9)
         # once more, or the sums of keys of points that mirror each other would agree
         key = (key ^ key >> np.uint64(29)) * np.uint64(0x94D049BB133111EB)
         keys[start : start + _CHUNK] = key ^ key >> np.uint64(31)
