@@ -12,14 +12,14 @@ from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from ...errors import ExactnessError, ParameterError
+from ...errors import ExactnessError, InfeasibleError, ParameterError
 from ..progress import Progress, part, silent
 from ..streams import Stream
 from .exact_search import is_small, searched_design
 from .feasibility import caps_of, check_caps
 from .layer_fill import layer_sums
 from .parameters import VoxelParameters
-from .tables import Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table
+from .tables import Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table, table_errors
 from .targets import Targets
 
 #: Tables (N, P) and (M, P) that a pair shall be near to.
@@ -120,10 +120,37 @@ def draw_pair(
     """
     if mask is not None:
         raise ParameterError(f"strategy {parameters.strategy} fills boxes only; strategy trabecular fills a mask")
+    if targets.tables is not None:
+        return given_pair(targets, parameters)
     stream = Stream(parameters.seed, "voxels", "tables")
     if parameters.pairing == "repeat":
         return _pair_by_repeating(targets, parameters, stream, progress)
     return _pair_by_constraint(targets, parameters, stream, progress, wishes)
+
+
+def given_pair(targets: Targets, parameters: VoxelParameters) -> TablePair:
+    """Return the tables that came with the targets.
+
+    Raises
+    ------
+    ParameterError
+        If a sum is wrong or a cell beyond its cap; the first is named.
+    InfeasibleError
+        If layers of the two tables are not compatible; the first is named.
+    """
+    alpha, beta = targets.tables or ()
+    for name, table, columns, cap in zip(("alpha", "beta"), (alpha, beta), (targets.d, targets.e),
+                                         caps_of(targets, parameters)):  # fmt: skip
+        errors = table_errors(table.T, targets.c, columns, cap)
+        if errors:
+            raise ParameterError(f"table {name}: {errors[0].words}; {len(errors)} sums or cells are wrong")
+    bad = np.flatnonzero(~compatible_layers(alpha, beta))
+    if len(bad):
+        raise InfeasibleError(
+            f"the tables are not compatible in layer {bad[0]} along Z, and {len(bad)} layers in all: no voxels have "
+            "these sums in columns and rows"
+        )
+    return TablePair(alpha, beta, 0, 0, 0)
 
 
 def _pair_by_constraint(

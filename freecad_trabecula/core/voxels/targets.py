@@ -49,6 +49,8 @@ class Targets:
         The sample itself as voxels: its texture is fitted to it, and it is shown beside the design.
     thickness : float, mm
         Mean thickness of the sample; nan when it is not known.
+    tables : pair of ndarrays (N, P), (M, P), or None
+        alpha and beta when they are given: edited by hand, or read from a file.
 
     Raises
     ------
@@ -68,6 +70,7 @@ class Targets:
     trabeculae: Optional[Tuple[np.ndarray, np.ndarray, np.ndarray]] = None
     sample: Optional[np.ndarray] = None
     thickness: float = math.nan
+    tables: Optional[Tuple[np.ndarray, np.ndarray]] = None
 
     def __post_init__(self) -> None:
         for name, axis in zip("dec", AXES):
