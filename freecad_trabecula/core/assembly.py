@@ -10,7 +10,7 @@ import numpy as np
 from .couplings import CouplingRow, Pairs, couple
 from .laws import Region
 from .pores import Pores, draw_pores, edit_pores, join_pores, mirrored
-from .progress import Progress, silent
+from .progress import Progress, part, silent
 from .recovery import mend
 from .rods import RodEnds
 from .sites import Sites
@@ -41,10 +41,10 @@ def make_wireframe(
     ParameterError
         If a coupling cannot be made.
     """
-    raw = draft_wireframe(parameters, sites, region, progress)
-    progress(2, 3, "faults")
-    mended = mend(raw, parameters, region, contains)
-    progress(3, 3, "wireframe")
+    raw = draft_wireframe(parameters, sites, region, part(progress, 0.0, 0.1))
+    progress(0.1, 1, "faults")
+    mended = mend(raw, parameters, region, contains, part(progress, 0.1, 1.0))
+    progress(1, 1, "wireframe")
     return mended
 
 

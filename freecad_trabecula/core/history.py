@@ -17,6 +17,7 @@ import numpy as np
 
 from .laws import Region
 from .pores import Pores
+from .progress import Progress, silent
 from .records import to_record
 from .recovery import FAULTS, mend
 from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, without
@@ -67,6 +68,7 @@ class History:
         region: Region,
         contains: Optional[Contains],
         envelope: str = "",
+        progress: Progress = silent,
     ) -> Mended:
         """Return what ``recovery.mend`` would return.
 
@@ -76,18 +78,23 @@ class History:
             As for ``recovery.mend``.
         envelope : str
             Tells envelopes (``contains`` and ``region``) apart.
+        progress : callable
         """
         keys = _keys(raw, parameters, envelope)
         known = {key: self._rods.get(key) for key in keys}  # held here, whatever another thread does
         unknown = np.array([k for k, key in enumerate(keys) if known[key] is None], int)
         if len(unknown):
             some = without(raw, unknown)
-            mended = mend(some, parameters, region, contains)
+            mended = mend(some, parameters, region, contains, progress)
             for k, rod in zip(unknown.tolist(), _outcomes(mended, _failed(some, mended))):
                 known[keys[k]] = rod
             self._keep({keys[k]: known[keys[k]] for k in unknown.tolist()})
         rods: List[Any] = [known[key] for key in keys]
         return Mended(_joined(raw, rods), tuple(keys), tuple(rod.failed for rod in rods))
+
+    def count_unknown(self, raw: Wireframe, parameters: WireframeParameters, envelope: str = "") -> int:
+        """Return how many rods ``mend`` would have to look at."""
+        return sum(key not in self._rods for key in _keys(raw, parameters, envelope))
 
     def learn(self, mended: Mended) -> None:
         """Take over what was mended before, elsewhere."""

@@ -18,6 +18,7 @@ import numpy as np
 from .laws import Region
 from .paths import tension_paths
 from .pores import Pores, draw_pores, mirrored
+from .progress import Progress, part, silent
 from .rods import CARRIED, RodEnds, Rods, build_rods, rod_faults, sharpest_bends
 from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, draw_paths, without
 
@@ -40,7 +41,13 @@ _STATIONS, _POINTS = 17, 16  # of the check: plane crossing then shows every fol
 _CLEAR = 1.0
 
 
-def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contains: Optional[Contains]) -> Wireframe:
+def mend(
+    raw: Wireframe,
+    parameters: WireframeParameters,
+    region: Region,
+    contains: Optional[Contains],
+    progress: Progress = silent,
+) -> Wireframe:
     """Return the wireframe with its faulty rods mended, the recoveries listed, the hopeless left out and named.
 
     Parameters
@@ -50,17 +57,19 @@ def mend(raw: Wireframe, parameters: WireframeParameters, region: Region, contai
     region : Region
     contains : callable or None
         ``contains(points (P, 3)) -> (P,) bool`` of the envelope.
+    progress : callable
     """
     faults = find_faults(raw, parameters, contains)
     bad = np.nonzero(faults > 0)[0]
     if not len(bad):
         return raw
     work = _Work(raw, parameters, region, contains)
-    recoveries = []
+    recoveries: List[Recovery] = []
     for name in FAULTS:
         group = bad[faults[bad] == 1 + FAULTS.index(name)]
         if len(group):
-            recoveries += work.mend_group(group, name)
+            start, end = len(recoveries) / len(bad), (len(recoveries) + len(group)) / len(bad)
+            recoveries += work.mend_group(group, name, part(progress, start, end))
     still = find_faults(work.wireframe, parameters, contains)
     out = np.nonzero(still == 1 + FAULTS.index("outside"))[0]
     hopeless = (still > 0) & (still != 1 + FAULTS.index("outside"))
@@ -121,7 +130,7 @@ class _Work:
         self._most_tension = chord * (2 - along.sum(1) / 2)
         self.paths_of = [couplings[k].path or parameters.path for k in raw.coupling.tolist()]
 
-    def mend_group(self, group: np.ndarray, fault: str) -> List[Recovery]:
+    def mend_group(self, group: np.ndarray, fault: str, progress: Progress = silent) -> List[Recovery]:
         """Try the remedies for one fault on rods ``group`` (indices), all at once; return one Recovery a rod."""
         rods = group.tolist()
         attempts, remedy = dict.fromkeys(rods, 0), dict.fromkeys(rods, "none")
@@ -129,6 +138,7 @@ class _Work:
         for name in REMEDIES[fault]:
             close = name in ("tension", "carry")
             for first in range(1, self._steps(name, rods) + 1, _BLOCK):
+                progress(sum(badness == 0 for badness in best.values()), len(rods), f"mending: {fault}, {name}")
                 steps = range(first, first + _BLOCK)
                 left = [(k, step) for k in rods if best[k] > 0 for step in steps if self._applies(name, k, step)]
                 if not left:
@@ -170,35 +180,35 @@ class _Work:
         return badness
 
     def _apply(self, remedy: str, which: np.ndarray, steps: np.ndarray) -> Wireframe:
-        part = without(self.wireframe, which)
-        ends = part.ends
-        p0, p1 = part.paths[:, 0, 0], part.paths[:, 1, 3]
+        some = without(self.wireframe, which)
+        ends = some.ends
+        p0, p1 = some.paths[:, 0, 0], some.paths[:, 1, 3]
         if remedy in ("tension", "carry"):
             leaning = np.full(len(which), CARRIED) if remedy == "carry" else ends.leans
             tension = steps * TENSION_STEP
             paths = tension_paths(p0, ends.frames[:, 0, 2], p1, ends.frames[:, 1, 2], tension, tension)
-            return replace(part, paths=paths, ends=replace(ends, leans=leaning))
+            return replace(some, paths=paths, ends=replace(ends, leans=leaning))
         if remedy == "middle":
-            paths = part.paths.copy()
+            paths = some.paths.copy()
             for at, (k, step) in enumerate(zip(which.tolist(), steps.tolist())):
                 frames = ends.frames[at : at + 1]
                 paths[at] = draw_paths(
-                    self.paths_of[k], [part.names[at]], p0[at : at + 1], frames[:, 0, 2], p1[at : at + 1],
+                    self.paths_of[k], [some.names[at]], p0[at : at + 1], frames[:, 0, 2], p1[at : at + 1],
                     frames[:, 1, 2], self.region, self.parameters.seed, step,
                 )[0]  # fmt: skip
-            return replace(part, paths=paths)
-        return replace(part, ends=self._redrawn_ends(part, steps))
+            return replace(some, paths=paths)
+        return replace(some, ends=self._redrawn_ends(some, steps))
 
-    def _redrawn_ends(self, part: Wireframe, steps: np.ndarray) -> RodEnds:
+    def _redrawn_ends(self, some: Wireframe, steps: np.ndarray) -> RodEnds:
         """New tangents for both end sections (sizes stay)."""
         first, second = [], []
-        for at in range(len(part)):
-            coupling = self.parameters.couplings[part.coupling[at]]
+        for at in range(len(some)):
+            coupling = self.parameters.couplings[some.coupling[at]]
             for end, (face, column) in enumerate(((coupling.first, first), (coupling.second, second))):
-                sites = part.sites[face]
-                one = int(part.site_numbers[at, end])
+                sites = some.sites[face]
+                one = int(some.site_numbers[at, end])
                 column.append(self._redraw(sites, one, int(steps[at])))
-        ends = part.ends
+        ends = some.ends
         return replace(
             ends,
             first=_with_shape(ends.first, [mirrored(p) for p in first]),

@@ -118,6 +118,19 @@ def edited(faces: Dict[str, SitedFace], edits: Sequence[SiteEdit]) -> Dict[str, 
 # ------------------------------------------------------------------------------------------------------- the design
 
 
+def design_draft(
+    parameters: WireframeParameters, envelope: Envelope, faces: Dict[str, SitedFace], progress: Progress = silent
+) -> Wireframe:
+    """Return the wireframe of an envelope whose faces have sites, before faulty rods are mended.
+
+    Arguments and errors are those of ``design_wireframe``.
+    """
+    sites = edited(faces, parameters.edits)
+    on = {label: int(one.on.sum()) for label, one in sites.items()}
+    check_rods(sum(min(on.get(c.first, 0), on.get(c.second, 0)) for c in parameters.couplings if c.on))
+    return draft_wireframe(parameters, sites, envelope.region, progress)
+
+
 def design_wireframe(
     parameters: WireframeParameters,
     envelope: Envelope,
@@ -144,12 +157,9 @@ def design_wireframe(
     ParameterError
         If a coupling or a change by hand cannot be made, or the rods are too many.
     """
-    sites = edited(faces, parameters.edits)
-    on = {label: int(one.on.sum()) for label, one in sites.items()}
-    check_rods(sum(min(on.get(c.first, 0), on.get(c.second, 0)) for c in parameters.couplings if c.on))
-    raw = draft_wireframe(parameters, sites, envelope.region, progress)
-    progress(2, 3, "faults")
-    return history.mend(raw, parameters, envelope.region, envelope.contains, mark)
+    raw = design_draft(parameters, envelope, faces, part(progress, 0.0, 0.1))
+    progress(0.1, 1, "faults")
+    return history.mend(raw, parameters, envelope.region, envelope.contains, mark, part(progress, 0.1, 1.0))
 
 
 def make_design(job: Job, progress: Progress = silent) -> Design:
