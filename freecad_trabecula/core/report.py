@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from dataclasses import dataclass, field, replace
-from typing import Any, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from .parameters import ScaffoldParameters
 from .pores import join_pores
 from .presets import PRESETS, THESIS, preset
 from .records import to_record
-from .wireframe import Wireframe
+from .wireframe import Wireframe, WireframeParameters
 
 SCHEMA = 1
 _BINS = 10  # of the histogram of pore sizes
@@ -244,12 +244,12 @@ def time_figures(job: Job, wireframe: Wireframe, seconds: Mapping[str, float]) -
     }
 
 
-def manual_seconds(job: Job, wireframe: Wireframe) -> float:
+def manual_seconds(design: Union[Job, WireframeParameters], wireframe: Wireframe) -> float:
     """Return the estimated time of manual design, s: 30 to 75 a rod, by curvature and sections (thesis 2.3.3)."""
     total = 0
     for number, count in Counter(wireframe.coupling.tolist()).items():
-        path = job.couplings[number].path or job.path
-        total += count * MANUAL_SECONDS[path.kind not in ("orthogonal", "straight"), job.pores.sections]
+        path = design.couplings[number].path or design.path
+        total += count * MANUAL_SECONDS[path.kind not in ("orthogonal", "straight"), design.pores.sections]
     return float(total)
 
 

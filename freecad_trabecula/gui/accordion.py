@@ -5,7 +5,10 @@ from __future__ import annotations
 
 from typing import Any, List, Tuple
 
+import FreeCADGui
 from PySide import QtCore, QtGui
+
+from .qt import is_alive
 
 
 class Accordion(QtGui.QWidget):
@@ -41,6 +44,19 @@ class Accordion(QtGui.QWidget):
         for k, (header, page, _) in enumerate(self._pages):
             header.setChecked(k == number)
             page.setVisible(k == number)
+        if number >= 0:
+            QtCore.QTimer.singleShot(0, lambda: self._scroll_to(number))
+
+    def _scroll_to(self, number: int) -> None:
+        """Move a section into sight once it has got its size; its header first."""
+        if not is_alive(self):
+            return
+        header, page, _ = self._pages[number]
+        # never by parentWidget(): PySide2 takes widgets for deleted when their parents' wrappers are collected
+        for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
+            if area.isAncestorOf(self):
+                for widget in (page, header):
+                    area.ensureWidgetVisible(widget, 0, 4)
 
     def opened(self) -> int:
         """Return the open section, -1 if none is."""

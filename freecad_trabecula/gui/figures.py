@@ -8,11 +8,14 @@ from typing import Any, List, NamedTuple
 
 import FreeCAD
 
+from .. import make
+from ..core.report import manual_seconds
 from ..features.network import MOST_DIFFERENCE
 from .view_providers import products_of
 
 translate = FreeCAD.Qt.translate
 #: A check as ``core.bodies.Check`` writes it.
+_POWER = re.compile(r"\bmm\^?([23])\b")
 _CHECK = re.compile(r"(?P<name>.+?): (?P<found>.*, (?P<apart>\S+) apart \(at most (?P<most>\S+)\))$")
 
 
@@ -53,12 +56,23 @@ def notes_of(wireframe: Any) -> List[str]:
         if not one.UpToDate or one.Status.startswith("error"):
             notes.append(f"{one.Label}: {one.Status}")
         notes += getattr(one, "Notes", [])
-    return notes
+    return [with_powers(note) for note in notes]
+
+
+def with_powers(text: str) -> str:
+    """Return a text with its areas and volumes as a reader knows them.
+
+    Examples
+    --------
+    >>> with_powers("0.5 mm3 of 2 mm^3 on 1 mm2")
+    '0.5 mm³ of 2 mm³ on 1 mm²'
+    """
+    return _POWER.sub(lambda found: "mm" + {"2": "²", "3": "³"}[found[1]], text)
 
 
 def figures_of(wireframe: Any) -> List[Figure]:
     """Return the figures of a design and of the bodies made of it."""
-    rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods))]
+    rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods)), *manual_figures(wireframe)]
     for one in products_of(wireframe):
         if hasattr(one, "RodVolume"):
             rows.append(Figure(translate("Trabecula", "Sum of the rods, mm³"), f"{one.RodVolume.Value:.3f}"))
@@ -67,6 +81,16 @@ def figures_of(wireframe: Any) -> List[Figure]:
         elif one.Proxy.KIND == "scaffold" and one.EngineUsed:
             rows += scaffold_figures(one, wireframe.Rods)
     return rows
+
+
+def manual_figures(wireframe: Any) -> List[Figure]:
+    """Return how long the design would take by hand; nothing while its wireframe is out of date."""
+    if wireframe.ResultKey != wireframe.Proxy.key(wireframe):
+        return []
+    parameters, rods = wireframe.Proxy.parameters(wireframe), make.wireframe_of(wireframe)
+    text = translate("Trabecula", "{:.1f} h").format(manual_seconds(parameters, rods) / 3600)
+    tip = translate("Trabecula", "30 to 75 s a rod, by curvature and sections (thesis 2.3.3)")
+    return [Figure(translate("Trabecula", "The rods by hand, as the thesis estimates"), text, tip)]
 
 
 def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:
@@ -112,7 +136,8 @@ def checks_of(wireframe: Any) -> List[Checked]:
         rows.append(Checked(name, not rods, ", ".join(rods[:20]) or translate("Trabecula", "none")))
     for one in products_of(wireframe):
         name = translate("Trabecula", "{} is up to date and without error").format(one.Label)
-        rows.append(Checked(name, bool(one.UpToDate) and not one.Status.startswith("error"), one.Status))
+        good = bool(one.UpToDate) and not one.Status.startswith("error")
+        rows.append(Checked(name, good, with_powers(one.Status)))
         if volume_of(one, "RodVolume"):
             name = translate("Trabecula", "Rods as solids and as meshes, mm³")
             rows.append(two_routes(name, one.RodVolume.Value, one.MeshVolume.Value, one.LargestDifference))
@@ -140,9 +165,9 @@ def checked(text: str) -> Checked:
     """
     found = _CHECK.match(text)
     if found is None:
-        return Checked(text, False, "")
+        return Checked(with_powers(text), False, "")
     try:
         ok = float(found["apart"]) <= float(found["most"])
     except ValueError:
         ok = False
-    return Checked(found["name"].replace("mm3", "mm³"), ok, found["found"])
+    return Checked(with_powers(found["name"]), ok, with_powers(found["found"]))

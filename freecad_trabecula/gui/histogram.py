@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 from PySide import QtCore, QtGui
 
-_LEFT, _BOTTOM, _TOP = 30, 34, 6  # pixels around the bars
+_LEFT, _RIGHT, _BOTTOM, _TOP = 30, 24, 34, 6  # pixels around the bars
 _FILL, _LINE = "#cfa765", "#7c3a1e"
 
 
@@ -38,7 +38,7 @@ class Histogram(QtGui.QWidget):
         """Paint bars and axes."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        box = QtCore.QRectF(_LEFT, _TOP, self.width() - _LEFT - 8, self.height() - _BOTTOM - _TOP)
+        box = QtCore.QRectF(_LEFT, _TOP, self.width() - _LEFT - _RIGHT, self.height() - _BOTTOM - _TOP)
         painter.setPen(self.palette().color(QtGui.QPalette.WindowText))
         painter.drawLine(box.bottomLeft(), box.bottomRight())
         painter.drawLine(box.bottomLeft(), box.topLeft())

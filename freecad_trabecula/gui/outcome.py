@@ -81,6 +81,7 @@ class Outcome(QtGui.QWidget):
         rods = translate("Trabecula", "{} rods").format(outline.rods)
         self.headline.setText(f"<b>{rods}</b>, {translate('Trabecula', 'porosity …')}")
         self.details.setText(mended_text(outline))
+        self.details.show()
         self.scale.set_sizes(outline.drawing.sizes)
         self.show_scale()
         self.message.hide()
@@ -100,7 +101,7 @@ class Outcome(QtGui.QWidget):
     def show_error(self, text: str) -> None:
         """Say why there is no preview."""
         self.headline.setText(f"<b>{translate('Trabecula', 'No preview')}</b>")
-        self.details.setText("")
+        self.details.hide()
         self._outline = None
         self._say(text, RED)
 

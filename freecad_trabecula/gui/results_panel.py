@@ -24,6 +24,7 @@ from .view_providers import look_of, parts_of, products_of
 
 translate = FreeCAD.Qt.translate
 WIDTH = 420  # pixels that the form needs
+_ROW, _MOST_ROWS = 20, 22  # pixels of a table's row, rows that are seen at once
 
 
 class ResultsPanel:
@@ -35,7 +36,6 @@ class ResultsPanel:
         self.headline, self.notes = QtGui.QLabel(), QtGui.QLabel()
         self.notes.setWordWrap(True)
         self.figures, self.couplings, self.recoveries = table(2), table(4), table(4)
-        self.figures.setMinimumHeight(310)
         self.checks = QtGui.QTextBrowser()
         self.checks.setMinimumHeight(330)
         self.histogram = Histogram(translate("Trabecula", "Size of the end sections, mm"))
@@ -79,7 +79,7 @@ class ResultsPanel:
         obj = self.wireframe
         self.headline.setText(f"<b>{headline(obj)}</b>")
         notes = notes_of(obj)
-        self.notes.setText(f'<span style="color:{ORANGE}">' + "<br>".join(notes) + "</span>")
+        self.notes.setText(f'<span style="color:{ORANGE}">' + "<br>".join(map(escape, notes)) + "</span>")
         self.notes.setVisible(bool(notes))
         self._offer_bodies()
         names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"))
@@ -117,6 +117,7 @@ class ResultsPanel:
             box.setIcon(icon(look_of(obj).icon))
             box.setChecked(bool(obj.ViewObject.Visibility))
             box.toggled.connect(lambda on, view=obj.ViewObject: setattr(view, "Visibility", bool(on)))
+            box.setEnabled(getattr(obj, "Facets", 1) > 0)  # loose pieces and voids of which there are none
             self._boxes.addWidget(box, number // 3, number % 3)
 
     # ------------------------------------------------------------------------------------------------- task panel
@@ -158,7 +159,7 @@ def table(columns: int) -> Any:
     """Return a table to be read."""
     widget = QtGui.QTableWidget(0, columns)
     widget.verticalHeader().hide()
-    widget.verticalHeader().setDefaultSectionSize(20)
+    widget.verticalHeader().setDefaultSectionSize(_ROW)
     header = widget.horizontalHeader()
     header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
     header.setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
@@ -166,7 +167,7 @@ def table(columns: int) -> Any:
     widget.setSelectionMode(QtGui.QAbstractItemView.NoSelection)
     widget.setTextElideMode(QtCore.Qt.ElideRight)
     widget.setWordWrap(False)
-    widget.setMinimumHeight(220)
+    widget.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAsNeeded)
     return widget
 
 
@@ -181,6 +182,8 @@ def fill(widget: Any, names: Sequence[str], rows: Sequence[Sequence[str]]) -> No
             if column:
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             widget.setItem(number, column, item)
+    height = widget.horizontalHeader().sizeHint().height() + (len(rows) + 1) * _ROW
+    widget.setFixedHeight(min(height, _MOST_ROWS * _ROW))
 
 
 def check_text(row: Checked) -> str:
