@@ -4,13 +4,16 @@
 Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_face_sites``, ``make_wireframe``, then
 ``make_network`` (solids) and ``make_scaffold`` (mesh). At once: ``make_design``, ``change_design``; back: ``job_of``.
 By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers: ``wireframe_of``,
-``bodies_of``. Files: ``export``. In another process: ``write_task``, ``run_task``, ``take_results``.
+``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``analysis_of``, ``contours_of``, ``compare_analyses``,
+``passport_of``. In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
 
 from __future__ import annotations
 
+from .features.analysis import analysis_of, contours_of
+from .features.analysis_makers import compare_analyses, default_parameters, make_analysis, passport_of
 from .features.designs import Design, change_design, make_design
 from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
 from .features.exports import export
@@ -36,12 +39,17 @@ from .features.wireframe import wireframe_of
 __all__ = [
     "Design",
     "add_site",
+    "analysis_of",
     "bodies_of",
     "body_objects",
     "change_design",
+    "compare_analyses",
+    "contours_of",
+    "default_parameters",
     "edits_of",
     "export",
     "job_of",
+    "make_analysis",
     "make_box",
     "make_design",
     "make_envelope",
@@ -52,6 +60,7 @@ __all__ = [
     "make_solid_scaffold",
     "make_wireframe",
     "move_site",
+    "passport_of",
     "rod_at",
     "run_task",
     "set_pore",

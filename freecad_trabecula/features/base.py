@@ -17,6 +17,7 @@ from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Sequence, Tu
 import FreeCAD
 
 from ..core import laws
+from ..core.analysis.parameters import SliceParameters
 from ..core.parameters import (
     FaceParameters,
     LayerParameters,
@@ -74,6 +75,7 @@ BINDINGS: Dict[type, Binding] = {
         ("face",),
     ),
     ScaffoldParameters: Binding("", "Scaffold", {"seconds": "TimeBudget", "memory_gb": "MemoryBudget"}),
+    SliceParameters: Binding("Slice", "Slices", {}, ("low", "high", "heights", "compensation")),
 }
 
 

@@ -62,6 +62,11 @@ def checked_envelope(shape: Part.Shape) -> Body:
     return Body(results.found_or_made("envelope", mark, lambda: envelope_from_shape(shape)), mark)
 
 
+def is_known(obj: Any) -> bool:
+    """Return whether the envelope that a document object is has been checked already."""
+    return results.find("envelope", mark_of(obj)) is not None
+
+
 def source_of(obj: Any) -> Tuple[str, str]:
     """Return file and solid from which an envelope was made; empty if it was not."""
     return getattr(obj, SOURCE_FILE, ""), getattr(obj, SOURCE_SOLID, "")

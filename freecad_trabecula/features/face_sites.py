@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any, Dict, Optional
 
 import Part
 
@@ -15,7 +15,7 @@ from ..geometry.design import SitedFace, sites_shape
 from ..geometry.face_sites import face_sites
 from . import results
 from .base import read_parameters
-from .envelope import envelope_of, mark_of
+from .envelope import envelope_of, is_known, mark_of
 from .feature import Property, result
 from .on_demand import RESULT_KEY, Keyed
 
@@ -94,6 +94,10 @@ class FaceSites(Keyed):
         """Find the sites."""
         (one,) = self.faces(obj, progress).values()
         return one.sites
+
+    def make_soon(self, obj: Any, progress: Progress) -> Optional[Sites]:
+        """Find the sites if the envelope is known."""
+        return self.make(obj, progress) if is_known(self.envelope(obj)) else None
 
     def show(self, obj: Any, value: Sites) -> None:
         """Show the sites as points."""

@@ -17,10 +17,12 @@ from ..core.progress import Progress, silent
 from ..core.rods import true_volumes
 from ..errors import KernelError, ParameterError
 from ..geometry.rod_solids import rod_solids
+from . import results
 from .feature import is_a, result
 from .on_demand import OnDemand, on_demand
 from .wireframe import Wireframe
 
+FEW = 10  # rods that are built while a window waits
 MOST_DIFFERENCE = 2e-3  # of a rod's volume, B-Rep against mesh: tessellation (issue: 0.2 %)
 
 
@@ -72,6 +74,16 @@ class Network(OnDemand):
         wireframe = owner.Proxy.wireframe(owner)
         return build(wireframe, owner.Proxy.parameters(owner).rods, kept_rods(obj), progress)
 
+    def make_soon(self, obj: Any, progress: Progress) -> Optional[Rods]:
+        """Build the rods if few are new and the wireframe is at hand."""
+        owner = wireframe_object(obj)
+        found = results.find(owner.Proxy.KIND, owner.Proxy.key(owner))
+        if found is None:
+            return None
+        parameters, kept = owner.Proxy.parameters(owner).rods, kept_rods(obj)
+        new = [key for key in rod_keys(found.wireframe, parameters) if key not in kept]
+        return build(found.wireframe, parameters, kept, progress) if len(new) <= FEW else None
+
     def show(self, obj: Any, value: Rods) -> None:
         """Check the volumes and show the solids."""
         check(value)
@@ -108,12 +120,23 @@ def wireframe_object(obj: Any) -> Any:
 
 def kept_rods(obj: Any) -> Dict[str, Kept]:
     """Return the solids that an object shows, with their volumes, by key; also after its file was opened again."""
+    return rods_by_key(shown_rods(obj))
+
+
+def shown_rods(obj: Any) -> Rods:
+    """Return the rods that an object shows; whoever moved the network, they stand in the envelope."""
     shape = obj.Shape.copy(False)
-    shape.Placement = FreeCAD.Placement()  # whoever moved the network, new rods stand in the envelope
-    columns = shape.Solids, obj.RodVolumes, obj.RodMeshVolumes
-    if any(len(column) != len(obj.RodKeys) for column in columns):
+    shape.Placement = FreeCAD.Placement()
+    names, volumes, mesh_volumes = tuple(obj.RodNames), np.array(obj.RodVolumes), np.array(obj.RodMeshVolumes)
+    return Rods(tuple(obj.RodKeys), names, shape, volumes, mesh_volumes)
+
+
+def rods_by_key(rods: Rods) -> Dict[str, Kept]:
+    """Return rods one by one; none if their numbers do not fit together."""
+    columns = rods.compound.Solids, rods.volumes.tolist(), rods.mesh_volumes.tolist()
+    if any(len(column) != len(rods.keys) for column in columns):
         return {}
-    return {key: Kept(*row) for key, row in zip(obj.RodKeys, zip(*columns))}
+    return {key: Kept(*row) for key, row in zip(rods.keys, zip(*columns))}
 
 
 def build(

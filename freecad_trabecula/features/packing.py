@@ -68,7 +68,7 @@ class _Files:
         if kind == "shape":
             shape = Part.Shape()
             shape.importBinary(str(self.folder / name))
-            return shape
+            return shape.Solids[0] if shape.ShapeType == "Solid" else shape  # a solid knows its centre
         mesh = Mesh.Mesh()
         mesh.read(str(self.folder / name))
         return mesh

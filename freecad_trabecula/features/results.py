@@ -21,8 +21,8 @@ from .packing import read_value, write_value
 T = TypeVar("T")
 
 #: Kinds of results; each keeps its latest few.
-KINDS = ("history", "envelope", "sites", "wireframe", "network", "scaffold", "solid")
-_MOST_KEPT = 16  # of a kind
+KINDS = ("history", "envelope", "sites", "wireframe", "network", "scaffold", "solid", "analysis", "contours")
+_MOST_KEPT = 16  # of a kind; contours of 300 slices are some 10 MB
 _INDEX = "results.json"
 _kept: OrderedDict[Tuple[str, str], Any] = OrderedDict()
 _lock = threading.RLock()  # the window's preview computes in a thread of its own

@@ -20,17 +20,21 @@ from ..core.records import from_record, to_record
 from ..errors import ExportError
 from ..geometry.design import SitedFace, placed_prism_sites
 from . import network, results
+from .analysis import Analysis, run_inputs, write_inputs
 from .base import read_parameters
-from .envelope import checked_envelope, envelope_of
-from .face_sites import sites_on
+from .envelope import checked_envelope
+from .face_sites import FaceSites, sites_key, sites_on
 from .feature import is_a
 from .jobs import job_of
-from .network import Network
+from .network import Network, rods_by_key, shown_rods
+from .packing import read_value, write_value
 from .scaffold import Scaffold, cut, scaffold_key
 from .solid_scaffold import SolidScaffold, solid_key, solid_of
-from .wireframe import Inputs, Wireframe, made, wireframe_key
+from .wireframe import Inputs, Wireframe, history, made, recall, wireframe_key
 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
+#: What the objects show: rods that have not changed are taken from there.
+_BEFORE, _SHOWN = "wireframe", "network"
 
 
 def write_task(folder: str, objects: Sequence[Any]) -> None:
@@ -41,7 +45,7 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     folder : str
         An empty folder.
     objects : sequence of document objects
-        A wireframe, networks, scaffolds, all of one wireframe.
+        A wireframe, networks, scaffolds, all of one wireframe; or one analysis.
 
     Examples
     --------
@@ -53,13 +57,23 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     make.write_task(folder, [design.wireframe])
     ...     make.run_task(folder)  # in another process: freecad_trabecula.shell.worker
-    ...     make.take_results(folder)
-    1
+    ...     make.take_results(folder)  # envelope and wireframe
+    2
     """
+    if is_a(objects[0], Analysis):
+        place = Path(folder)
+        _write_record(place, {"analysis": write_inputs(place, objects[0])})
+        return
     wireframe = next(obj if is_a(obj, Wireframe) else obj.Wireframe for obj in objects)
-    envelope_of(wireframe.Envelope)  # refuses what cannot be filled
     job = job_of(wireframe, envelope=_ENVELOPE)
-    _write(folder, job, wireframe.Envelope.Shape, [_wanted(obj) for obj in objects])
+    _write(folder, job, wireframe.Envelope.Shape, [{"kind": "envelope"}, *(_wanted(obj) for obj in objects)])
+    recall(wireframe)
+    before = results.find(Wireframe.KIND, wireframe.ResultKey)
+    if before is not None:
+        write_value(before, Path(folder) / _BEFORE)
+    for obj in objects:
+        if is_a(obj, Network) and obj.RodKeys:
+            write_value(shown_rods(obj), Path(folder) / _SHOWN)
 
 
 def write_job_task(folder: str, job: Job, envelope: Part.Shape, kinds: Sequence[str]) -> None:
@@ -83,11 +97,16 @@ def write_job_task(folder: str, job: Job, envelope: Part.Shape, kinds: Sequence[
 
 
 def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]]) -> None:
-    place = Path(folder)
     try:
-        envelope.exportBinary(str(place / _ENVELOPE))
-        text = json.dumps({"job": to_record(job), "wanted": list(wanted)})
-        (place / _TASK).write_text(text, encoding="utf-8")
+        envelope.exportBinary(str(Path(folder) / _ENVELOPE))
+    except OSError as error:
+        raise ExportError(f"the task could not be written into {folder}: {error}") from error
+    _write_record(Path(folder), {"job": to_record(job), "wanted": list(wanted)})
+
+
+def _write_record(folder: Path, record: Dict[str, Any]) -> None:
+    try:
+        (folder / _TASK).write_text(json.dumps(record), encoding="utf-8")
     except OSError as error:
         raise ExportError(f"the task could not be written into {folder}: {error}") from error
 
@@ -104,15 +123,26 @@ def run_task(folder: str, progress: Progress = silent) -> None:
     """Compute what a task asks for and write the results beside it; a task without results was not finished."""
     place = Path(folder)
     task = json.loads((place / _TASK).read_text(encoding="utf-8"))
+    if "analysis" in task:
+        results.save(str(place / _RESULTS), *run_inputs(place, task["analysis"], progress))
+        return
     job = from_record(Job, task["job"], "job")
     envelope = Part.Shape()
     envelope.importBinary(str(place / _ENVELOPE))
     inputs = job_inputs(job, envelope, part(progress, 0.0, 0.1))
     found = [("wireframe", inputs.key)]
-    made(inputs, part(progress, 0.1, 0.2))
-    for number, wanted in enumerate(task["wanted"]):
-        share = 0.8 / len(task["wanted"])
-        found += _compute(wanted, inputs, part(progress, 0.2 + number * share, 0.2 + (number + 1) * share))
+    if (place / _BEFORE).is_dir():
+        history().learn(read_value(place / _BEFORE))
+    bodies = [one for one in task["wanted"] if one["kind"] not in (Wireframe.KIND, "envelope")]
+    rest = 0.8 if bodies else 0.0
+    made(inputs, part(progress, 0.1, 1.0 - rest))
+    if len(bodies) < len(task["wanted"]):
+        found += _known(job, inputs)
+    shown = place / _SHOWN
+    kept = rods_by_key(read_value(shown)) if shown.is_dir() else {}
+    for number, wanted in enumerate(bodies):
+        start, share = 1.0 - rest + number * rest / len(bodies), rest / len(bodies)
+        found += _compute(wanted, inputs, kept, part(progress, start, start + share))
     results.save(str(place / _RESULTS), *dict.fromkeys(found))
 
 
@@ -130,11 +160,19 @@ def job_inputs(job: Job, envelope: Part.Shape, progress: Progress = silent) -> I
     return Inputs(body.envelope, faces, job.wireframe, body.mark, key)
 
 
-def _compute(wanted: Dict[str, Any], inputs: Inputs, progress: Progress) -> List[Tuple[str, str]]:
+def _known(job: Job, inputs: Inputs) -> List[Tuple[str, str]]:
+    """Return where envelope and sites are kept, which the objects would have to compute too."""
+    sites = [(FaceSites.KIND, sites_key(inputs.mark, one)) for one in job.faces]
+    return [("envelope", inputs.mark), *sites]
+
+
+def _compute(
+    wanted: Dict[str, Any], inputs: Inputs, kept: Dict[str, network.Kept], progress: Progress
+) -> List[Tuple[str, str]]:
     """Compute one result; return where it is kept."""
     kind = wanted["kind"]
     if kind == Network.KIND:
-        rods = network.build(made(inputs), inputs.parameters.rods, None, progress)
+        rods = network.build(made(inputs), inputs.parameters.rods, kept, progress)
         results.keep(kind, inputs.key, rods)
         return [(kind, inputs.key)]
     if kind == Scaffold.KIND:

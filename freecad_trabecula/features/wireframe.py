@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 import Part
@@ -15,16 +15,17 @@ from ..core.parameters import LARGEST_SEED, Coupling, PathParameters, PoreParame
 from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
 from ..errors import EnvelopeError, ExportError, ParameterError
-from ..geometry.design import SitedFace, design_wireframe, pore_warnings
+from ..geometry.design import SitedFace, design_draft, design_wireframe, pore_warnings
 from ..geometry.envelopes import Envelope
 from ..geometry.wires import wireframe_shape
 from . import results
 from .base import lines_of, read_parameters, records_of
-from .envelope import envelope_of, mark_of
+from .envelope import envelope_of, is_known, mark_of
 from .feature import Property, result
-from .on_demand import RESULT_KEY, Keyed
+from .on_demand import COMPUTING, RESULT_KEY, Keyed
 from .packing import from_numbers, to_numbers
 
+FEW = 60  # rods that are mended while a window waits
 _SEEDS = (1, 0, LARGEST_SEED, 1)  # value, least, greatest, step
 
 
@@ -136,6 +137,18 @@ class Wireframe(Keyed):
         """Make the wireframe; only rods whose numbers changed are mended."""
         recall(obj)
         return mended(self.inputs(obj, progress), progress)
+
+    def make_soon(self, obj: Any, progress: Progress) -> Optional[Mended]:
+        """Make the wireframe if few of its rods are new."""
+        recall(obj)
+        if not is_known(obj.Envelope) or any(one.Status == COMPUTING for one in obj.Sites):
+            return None
+        inputs = self.inputs(obj, progress)
+        raw = design_draft(inputs.parameters, inputs.envelope, inputs.faces, progress)
+        if history().count_unknown(raw, inputs.parameters, inputs.mark) > FEW:
+            return None
+        region, contains = inputs.envelope.region, inputs.envelope.contains
+        return history().mend(raw, inputs.parameters, region, contains, inputs.mark, progress)
 
     def show(self, obj: Any, value: Mended) -> None:
         """Show paths and end sections, and what is known of them."""

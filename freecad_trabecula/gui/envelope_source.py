@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, Optional, Set
 
@@ -75,8 +74,6 @@ class EnvelopeSource(QtCore.QObject):
     def _take(self, folder: str, mark: str) -> None:
         self._work = None
         envelope = read_value(Path(folder) / ENVELOPE)
-        # what was read is a shape of no kind; a solid knows its centre
-        envelope = replace(envelope, solid=envelope.solid.Solids[0])
         if mark:
             results.keep("envelope", mark, envelope)
         self.ready.emit(envelope)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
+from ..features.on_demand import hand_long_work_to
 from .qt import icon_path, invoke_later
 
 #: Of what is seen, not of what is made: % of the size, and degrees. With FreeCAD's 0.2 % and 28.65 degrees the window
@@ -169,3 +170,12 @@ def roles_of(scaffold: Any) -> List[Any]:
 def parts_of(wireframe: Any) -> List[Any]:
     """Return all bodies made of a wireframe, parts of scaffolds included."""
     return [part for one in products_of(wireframe) for part in (one, *roles_of(one))]
+
+
+def _compute_elsewhere(obj: Any, key: str) -> bool:
+    from .recomputing import of_window
+
+    return of_window().take(obj, key)
+
+
+hand_long_work_to(_compute_elsewhere)

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Functions that analyse a body's slices in a document and lay analyses side by side."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Union
+
+import FreeCAD
+
+from ..core.analysis import comparison, passport
+from ..core.analysis.parameters import SliceParameters
+from ..core.booleans import manifold_available
+from ..core.progress import Progress, silent
+from .analysis import Analysis, analysis_of, write_slice_parameters
+from .feature import is_a, update
+from .makers import add, all_or_nothing
+from .network import Network
+from .wireframe import Wireframe
+
+
+def make_analysis(
+    document: FreeCAD.Document,
+    source: Union[Any, str],
+    parameters: Optional[SliceParameters] = None,
+    morphometry: bool = False,
+    unit: str = "auto",
+    envelope: Any = None,
+    progress: Progress = silent,
+) -> Any:
+    """Add the slice analysis of a body and return the object.
+
+    Parameters
+    ----------
+    document : App.Document
+    source : document object or str
+        A mesh, a solid, a network or scaffold of ours, or the path of a file.
+    parameters : SliceParameters, optional
+        By default those of ``default_parameters``.
+    morphometry : bool
+        Also measure the body as a whole on voxels.
+    unit : str
+        Of a file.
+    envelope : document object, optional
+        To whose slices the porosity refers; by default the envelope of a design of ours, else the body's box.
+    progress : callable
+
+    Raises
+    ------
+    TrabeculaError
+        If there is nothing to slice, or a value is refused; the document is as it was.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> box = make.make_box(FreeCAD.newDocument(), 2, 3, 4)
+    >>> analysis = make.make_analysis(box.Document, box)
+    >>> analysis.Slices, round(analysis.SliceVolume.Value, 9)
+    (90, 24.0)
+    """
+    is_file = isinstance(source, str)
+    with all_or_nothing(document):
+        obj = add(document, Analysis, "Analysis", "App::FeaturePython")
+        if is_file:
+            obj.File, obj.Unit = source, unit
+        else:
+            obj.Source, obj.Envelope = source, envelope or design_envelope(source)
+            obj.Label = f"Analysis {source.Label}"
+        write_slice_parameters(obj, parameters or (SliceParameters() if is_file else default_parameters(source)))
+        obj.Morphometry = morphometry
+        update(obj, progress)
+    return obj
+
+
+def default_parameters(source: Any) -> SliceParameters:
+    """Return the parameters that suit a body: rods that cross are united where that can be done."""
+    unites = is_a(source, Network, Wireframe) and manifold_available()
+    return SliceParameters(fill="union" if unites else "winding")
+
+
+def design_envelope(obj: Any) -> Any:
+    """Return the envelope of the design to which one of our objects belongs; None for all else."""
+    if not is_a(obj):
+        return None
+    owner = getattr(obj, "Scaffold", None) or obj
+    wireframe = owner if is_a(owner, Wireframe) else getattr(owner, "Wireframe", None)
+    return getattr(wireframe, "Envelope", None)
+
+
+def compare_analyses(
+    analyses: Sequence[Any], thickness: Optional[float] = None, alignment: str = "start"
+) -> comparison.Comparison:
+    """Lay two or more analysis objects side by side (tables 5.11 to 5.13).
+
+    Parameters
+    ----------
+    analyses : sequence of document objects
+        The first is the reference of the differences.
+    thickness : float, mm, optional
+        Of the shared layers; by default the largest of the analyses.
+    alignment : str
+        What is laid on each other: ``start``, ``centre`` or ``own`` zero.
+
+    Raises
+    ------
+    ParameterError
+        If they have nothing in common.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> boxes = [make.make_box(FreeCAD.newDocument(), 2, 3, h) for h in (3, 4)]
+    >>> found = make.compare_analyses([make.make_analysis(box.Document, box) for box in boxes])
+    >>> float(found.axes["x"].values["sliced_area"][1, 0])
+    12.0
+    """
+    return comparison.compare([analysis_of(obj) for obj in analyses], thickness, alignment)
+
+
+def passport_of(
+    first: Any, second: Any, thickness: Optional[float] = None, alignment: str = "start"
+) -> passport.Passport:
+    """Score one analysis object against another, the reference first; arguments as for ``compare_analyses``.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> box = make.make_box(FreeCAD.newDocument(), 2, 3, 4)
+    >>> analysis = make.make_analysis(box.Document, box)
+    >>> {score.value for score in make.passport_of(analysis, analysis).whole if score.symbol in ("L1", "KS")}
+    {0.0}
+    """
+    return passport.passport(analysis_of(first), analysis_of(second), thickness, alignment)

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What would keep the window waiting during a recompute is computed in another process and shown when it is there.
+
+The objects say "being computed" meanwhile and keep what they had; the status bar shows how far it is and can end it.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Set, Tuple
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from .. import make
+from ..errors import TrabeculaError
+from ..features.jobs import job_of
+from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
+from .child_work import ChildWork, Progress, task_work, time_text
+from .qt import invoke_later
+from .view_providers import wireframe_of
+
+translate = FreeCAD.Qt.translate
+Owner = Tuple[str, str]  # names of document and wireframe
+_ended: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
+
+
+class Recomputing(QtCore.QObject):
+    """Takes over objects; those of one design are computed together, and anew when its inputs change."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._wanted: Dict[Owner, Dict[str, str]] = {}
+        self._works: Dict[Owner, ChildWork] = {}
+        self._failed: Dict[Tuple[str, str], Tuple[str, str]] = {}  # key and sentence, by names of document and object
+        self._bar = WorkBar(self.cancel)
+        FreeCAD.addDocumentObserver(self)
+
+    def take(self, obj: Any, key: str) -> bool:
+        """Have an object computed elsewhere.
+
+        Parameters
+        ----------
+        obj : document object
+        key : str
+            Of its inputs.
+
+        Returns
+        -------
+        bool
+            False if it cannot be handed over.
+
+        Raises
+        ------
+        TrabeculaError
+            What another process said of the same inputs; the next time it is tried again.
+        """
+        failed_key, text = self._failed.pop((obj.Document.Name, obj.Name), ("", ""))
+        if failed_key == key:
+            raise TrabeculaError(text)
+        wireframe = wireframe_of(obj)
+        try:
+            job_of(wireframe, envelope="envelope")
+            owner = (obj.Document.Name, wireframe.Name)
+        except (TrabeculaError, AttributeError):  # of no design, or of one that no job can hold
+            return False
+        names = self._wanted.setdefault(owner, {})
+        if names.get(obj.Name) != key:
+            names[obj.Name] = key
+            self._end(owner)
+            invoke_later(lambda: self._start(owner))
+        return True
+
+    # -------------------------------------------------------------------------------------------------- the work
+
+    def _start(self, owner: Owner) -> None:
+        objects = self._objects(owner)
+        if owner in self._works or not objects:
+            return
+        try:
+            work = task_work(lambda folder: make.write_task(folder, objects))
+            work.progressed.connect(self._bar.show_progress)
+            work.succeeded.connect(lambda folder: self._take(owner, folder))
+            work.failed.connect(lambda text: self._fail(owner, text))
+            work.process.finished.connect(lambda *_: _ended.discard(work))
+            work.start()
+        except TrabeculaError as error:
+            self._fail(owner, str(error))
+            return
+        _ended.add(work)
+        self._works[owner] = work
+        self._bar.show_start()
+
+    def _objects(self, owner: Owner) -> List[Any]:
+        """Those that wait; the wireframe itself stands for its sites."""
+        if owner[0] not in FreeCAD.listDocuments():
+            return []
+        document = FreeCAD.getDocument(owner[0])
+        found = [document.getObject(name) for name in self._wanted.get(owner, ())]
+        wireframe = document.getObject(owner[1])
+        bodies = [one for one in found if one is not None and getattr(one, "Wireframe", None) == wireframe]
+        return [wireframe, *bodies] if found and wireframe is not None else []
+
+    def _take(self, owner: Owner, folder: str) -> None:
+        try:
+            make.take_results(folder)
+        except TrabeculaError as error:
+            self._fail(owner, str(error))
+            return
+        self._recompute(owner)
+
+    def _fail(self, owner: Owner, text: str) -> None:
+        for name, key in self._wanted.get(owner, {}).items():
+            self._failed[owner[0], name] = key, text
+        self._recompute(owner)
+
+    def _recompute(self, owner: Owner) -> None:
+        names = self._wanted.pop(owner, {})
+        self._end(owner)
+        if owner[0] in FreeCAD.listDocuments():
+            document = FreeCAD.getDocument(owner[0])
+            for obj in filter(None, map(document.getObject, names)):
+                obj.touch()
+            document.recompute()
+
+    def _end(self, owner: Owner) -> None:
+        work = self._works.pop(owner, None)
+        if work is not None:
+            work.cancel()
+        if not self._works:
+            self._bar.hide()
+
+    def cancel(self) -> None:
+        """End all work; the objects keep what they had and are out of date."""
+        for owner, names in list(self._wanted.items()):
+            del self._wanted[owner]
+            self._end(owner)
+            if owner[0] in FreeCAD.listDocuments():
+                document = FreeCAD.getDocument(owner[0])
+                for obj in filter(None, map(document.getObject, names)):
+                    obj.Status = obj.Status.replace(COMPUTING, OUT_OF_DATE)
+
+    # ------------------------------------------------------------------------------------------ FreeCAD's observer
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """End what belongs to a document that is closed (FreeCAD's observer protocol)."""
+        for owner in [one for one in self._wanted if one[0] == document.Name]:
+            del self._wanted[owner]
+            self._end(owner)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        """Show what belongs to the inputs that have come back (FreeCAD's observer protocol)."""
+        name = document.Name
+        invoke_later(lambda: _show_present(name))
+
+    def slotRedoDocument(self, document: Any) -> None:
+        """Do the same for a step done again (FreeCAD's observer protocol)."""
+        self.slotUndoDocument(document)
+
+
+def _show_present(name: str) -> None:
+    """Recompute the objects of a document whose results came after the step that was undone."""
+    if name not in FreeCAD.listDocuments():
+        return
+    document, late = FreeCAD.getDocument(name), []
+    for obj in document.Objects:
+        proxy = getattr(obj, "Proxy", None)
+        try:
+            if isinstance(proxy, Keyed) and obj.ResultKey and obj.ResultKey != proxy.key(obj):
+                late.append(obj)
+        except (TrabeculaError, AttributeError):
+            continue  # without envelope or design
+    for obj in late:
+        obj.touch()
+    if late:
+        document.recompute()
+
+
+class WorkBar(QtGui.QWidget):
+    """What is being done, a bar, and a button that ends it, in the status bar.
+
+    Parameters
+    ----------
+    cancel : callable
+        Called by the button.
+    """
+
+    def __init__(self, cancel: Any) -> None:
+        super().__init__()
+        self.what, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedSize(120, 14)
+        self.button.setText(translate("Trabecula", "Cancel"))
+        self.button.clicked.connect(lambda *_: cancel())
+        row = QtGui.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.what, self.bar, self.button):
+            row.addWidget(widget)
+        FreeCADGui.getMainWindow().statusBar().addPermanentWidget(self)
+        self.hide()
+
+    def show_start(self) -> None:
+        """Show that work has begun."""
+        self.bar.setValue(0)
+        self.what.setText(translate("Trabecula", "Design is being computed"))
+        self.show()
+
+    def show_progress(self, progress: Progress) -> None:
+        """Show how far it is."""
+        self.bar.setValue(int(1000 * progress.share))
+        left = translate("Trabecula", ", {} left").format(time_text(progress.left)) if progress.left else ""
+        self.what.setText(progress.what + left)
+
+
+_recomputing: List[Recomputing] = []
+
+
+def of_window() -> Recomputing:
+    """Return the window's one, made when it is first asked for."""
+    if not _recomputing:
+        _recomputing.append(Recomputing())
+    return _recomputing[0]
