@@ -149,10 +149,9 @@ def passport_record(passports: Sequence[Passport]) -> Dict[str, Any]:
 def passport_markdown(record: Mapping[str, Any]) -> str:
     """Return the page of the slice passports: one table for each sample, then what each score is."""
     parts = ["# Slice passport"]
-    used: List[str] = []
     for one in record["passports"]:
         parts += [f"## {one['sample']} against {one['reference']}", _score_table(one["scores"])]
-        used += [score["symbol"] for score in one["scores"] if score["symbol"] not in used]
+    used = dict.fromkeys(score["symbol"] for one in record["passports"] for score in one["scores"])
     rows = [(symbol, record["definitions"][symbol]) for symbol in used]
     return "\n\n".join([*parts, "## Definitions", table(("score", "definition"), rows)]) + "\n"
 

@@ -246,7 +246,7 @@ def draw_differences(axes: Any, shared: SharedAxis, names: Sequence[str], quanti
         axes.fill_between(shared.middles, values, color=COLOURS[number % len(COLOURS)], alpha=0.25, linewidth=0)
         _curve(axes, shared.middles, values, number, names[number])
     axes.axhline(0, color="0.4", linewidth=0.8)
-    _finish(axes, "", f"difference from\n{_short(names[0])}, {label.rpartition(', ')[2] if ',' in label else '1'}")
+    _finish(axes, "", "difference" + (f", {label.rpartition(', ')[2]}" if "," in label else ""))
 
 
 def _heat_map_figure(comparison: Comparison, analyses: Sequence[Analysis]) -> Any:
@@ -283,7 +283,7 @@ def _heat_map_figure(comparison: Comparison, analyses: Sequence[Analysis]) -> An
 def _distribution_figure(comparison: Comparison, analyses: Sequence[Analysis]) -> Any:
     """Share of the trabeculae up to an area: what the Kolmogorov-Smirnov distance compares."""
     figure = new_figure(4.2 * len(comparison.axes) + 0.8, 4)
-    row = figure.subplots(1, len(comparison.axes), squeeze=False, sharey=True)[0]
+    row = figure.subplots(1, len(comparison.axes), squeeze=False, sharey=True, sharex=True)[0]
     for axes, axis in zip(row, comparison.axes):
         for number, analysis in enumerate(analyses):
             areas = np.sort(trabecular_areas(analysis, axis))

@@ -78,7 +78,8 @@ def write_workbook(
         If the file cannot be written; what stood under that name before stays.
     """
     openpyxl = require_openpyxl()
-    book = openpyxl.Workbook(write_only=True)
+    book = openpyxl.Workbook()  # one that writes as it goes leaves its files behind when it is stopped
+    book.remove(book.active)
     bold = openpyxl.styles.Font(bold=True)
     tables = {axis: template_rows(profiles[axis], measures[axis]) for axis in profiles}
     done, total = 0, sum(map(len, tables.values()))
@@ -87,10 +88,9 @@ def write_workbook(
         sheet.freeze_panes = "A2"
         for letter in "ABCDEFGH":
             sheet.column_dimensions[letter].width = _WIDTH
-        head = [openpyxl.cell.WriteOnlyCell(sheet, title) for title in template_head(axis)]
-        for cell in head:
+        sheet.append(template_head(axis))
+        for cell in sheet[1]:
             cell.font = bold
-        sheet.append(head)
         for row in rows:
             if done % _BLOCK == 0:
                 progress(done, max(total, 1), f"writing the workbook's sheet {axis.upper()}")
