@@ -63,7 +63,8 @@ class VoxelParameters:
 
     wavelength: Triple = _f((0.0, 0.0, 0.0), "mm", "Wavelengths of the trabecular texture along X, Y, Z; 0: fitted to "
                             "the sample, or eight voxels without one")  # fmt: skip
-    rods: float = _f(0.3, "", "0 makes sheets, 1 makes rods of the texture", low=0.0, high=1.0)
+    rods: float = _f(-1.0, "", "0 makes sheets, 1 makes rods of the texture; -1: fitted to the sample, or 0.3 without "
+                     "one", low=-1.0, high=1.0)  # fmt: skip
     contacts: str = _f("edge", "", "Contacts that are avoided: none by an edge alone, or none by an edge or a corner "
                        "alone; any: all are allowed", choices=CONTACTS)  # fmt: skip
     thickness: int = _f(1, "", "Least thickness in voxels", low=1, high=9)
