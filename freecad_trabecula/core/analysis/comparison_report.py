@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -207,14 +206,10 @@ def comparison_summary(record: Mapping[str, Any]) -> str:
     """Return the few lines that the command line prints."""
     lines = []
     for one in record["passports"]:
-        values = {
-            (score["of"], score["symbol"]): math.nan if score["value"] is None else score["value"]
-            for score in one["scores"]
-            if score["where"] == "whole"
-        }
+        values = {(s["of"], s["symbol"]): _score(s["value"]) for s in one["scores"] if s["where"] == "whole"}
         words = (
-            f"sliced area L1 {values['sliced area', 'L1']:.3g}, correlation {values['sliced area', 'r']:.3g}; "
-            f"trabecular area KS {values['trabecular area', 'KS']:.3g}"
+            f"sliced area L1 {values['sliced area', 'L1']}, correlation {values['sliced area', 'r']}; "
+            f"trabecular area KS {values['trabecular area', 'KS']}"
         )
         lines.append(f"{one['sample']} against {one['reference']}: {words}")
     return "\n".join([*lines, *(f"note: {text}" for text in record["notes"])])
