@@ -115,7 +115,7 @@ def test_the_page_has_the_tables_and_says_what_counts(compared):
 
 def test_the_summary_is_a_line_for_each_sample(compared):
     text = comparison_summary(comparison_record(compared[0], passport_record(compared[1])))
-    assert text.startswith("solid, full against cavity.stl: sliced area L1 0.276, correlation -; trabecular area KS")
+    assert text.startswith("solid, full against cavity.stl: sliced area L1 0.2755, correlation -; trabecular area KS")
 
 
 def test_a_folder_that_is_not_there_is_refused(compared, tmp_path):
