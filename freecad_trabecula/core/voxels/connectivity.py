@@ -67,6 +67,26 @@ def edge_contact_changes() -> np.ndarray:
     return change
 
 
+@lru_cache(maxsize=1)
+def planar_groups() -> np.ndarray:
+    """Return, for the plane across z, y, x, the groups of set face neighbours joined by its edge neighbours.
+
+    ndarray of shape (3, 2^18), uint8, by code. Where it is 1, the flip keeps the plane's number of parts.
+    """
+    is_set = _bits(np.arange(_CODES))
+    groups = np.zeros((3, _CODES), np.uint8)
+    for axis in range(3):
+        faces = [i for i, face in enumerate(FACES) if face[axis] == 0]
+        links = np.zeros(_CODES, np.uint8)
+        for e, edge in enumerate(EDGES):
+            if edge[axis] == 0:
+                a, b = _faces_of(edge)
+                links += is_set[a] & is_set[6 + e] & is_set[b]
+        # four faces and four links are a ring: as many groups as missing links, one if it is closed
+        groups[axis] = sum(is_set[i].astype(np.uint8) for i in faces) - links + (links == 4)
+    return groups
+
+
 def corner_contact_changes(codes: np.ndarray) -> np.ndarray:
     """Return by how much the contacts by a corner alone change when the voxels are added; (C,) int8.
 
@@ -175,6 +195,11 @@ class Solid:
         Where solid may be.
     no_edges, no_corners : bool
         Whether flips may not raise the number of contacts by an edge alone, by a corner alone.
+
+    Attributes
+    ----------
+    kept_planes : tuple of int
+        Axes (0 z, 1 y, 2 x) along whose layers flips may not change the number of parts.
     """
 
     def __init__(
@@ -185,6 +210,7 @@ class Solid:
         self.flat = self.padded.reshape(-1)
         self.allowed = None if mask is None else np.pad(mask, 1).reshape(-1)
         self.no_edges, self.no_corners = no_edges, no_corners
+        self.kept_planes: tuple = ()
         rows, columns = self.padded.shape[1:]
         self._strides = (rows * columns, columns, 1)
         self.offsets = STEPS @ np.array(self._strides)
@@ -220,13 +246,15 @@ class Solid:
         sign = 1 - 2 * self.flat[index].astype(np.int8)
         return sign * edge_contact_changes()[code & _LOW_BITS], sign * corner_contact_changes(code)
 
-    def _contacts_kept(self, code: np.ndarray, sign: int) -> np.ndarray:
-        """Return which flips raise no contact that may not be raised; sign is 1 for adding, -1 for removing."""
+    def _rules_kept(self, code: np.ndarray, sign: int) -> np.ndarray:
+        """Return which flips keep contacts and planes as they must be; sign is 1 for adding, -1 for removing."""
         kept = np.ones(code.shape, bool)
         if self.no_edges:
             kept &= sign * edge_contact_changes()[code & _LOW_BITS] <= 0
         if self.no_corners:
             kept &= sign * corner_contact_changes(code) <= 0
+        for axis in self.kept_planes:
+            kept &= planar_groups()[axis][code & _LOW_BITS] == 1
         return kept
 
     def addable(self, index: np.ndarray) -> np.ndarray:
@@ -235,14 +263,14 @@ class Solid:
         low = code & _LOW_BITS
         good = (self.flat[index] == 0) & ((low & _FACE_BITS) > 0) & (face_groups()[_LOW_BITS ^ low] <= 1)
         good &= self._inside[index] if self.allowed is None else self.allowed[index]
-        return good & self._contacts_kept(code, 1)
+        return good & self._rules_kept(code, 1)
 
     def removable(self, index: np.ndarray) -> np.ndarray:
         """Return which voxels (C,) are solid and may become void; bool (C,)."""
         code = self.codes(index, self.no_corners)
         low = code & _LOW_BITS
         good = (self.flat[index] == 1) & ((low & _FACE_BITS) != _FACE_BITS) & (face_groups()[low] == 1)
-        return good & self._contacts_kept(code, -1)
+        return good & self._rules_kept(code, -1)
 
     def flippable(self, index: np.ndarray) -> np.ndarray:
         """Return which voxels (C,) may be flipped, whatever they are; bool (C,)."""

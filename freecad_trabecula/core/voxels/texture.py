@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Iterator
+from typing import Iterator, Optional
 
 import numpy as np
 
@@ -72,17 +72,21 @@ class Texture:
         return replace(self, wavelengths=tuple(float(w * f) for w, f in zip(self.wavelengths, factors)))
 
 
-def _wave_numbers(texture: Texture, shape: tuple) -> list:
+def _wave_numbers(texture: Texture, shape: tuple, periods: Texture) -> list:
     """Return per array axis (z, y, x) the length of one period, voxels, and the highest number of waves in it."""
     reach = 1.0 + REACH * texture.width
-    inverse = np.linalg.inv(texture.wave_matrix())
-    extents = reach * np.sqrt(np.diag(inverse @ inverse.T))[::-1]  # z, y, x; cycles per voxel
     waves = []
-    for size, extent in zip(shape, extents):
+    for size, middle, lowest in zip(shape, _middle_numbers(texture), _middle_numbers(periods)):
         # a period longer than the box keeps opposite faces from fitting each other; no wave shorter than two voxels
-        period = size + max(8, min(int(round(reach / extent)), 2 * size))
-        waves.append((period, max(1, int(min(extent, 0.5) * period))))
+        period = size + max(8, min(int(round(1.0 / lowest)), 2 * size))
+        waves.append((period, max(1, int(min(reach * middle, 0.5) * period))))
     return waves
+
+
+def _middle_numbers(texture: Texture) -> np.ndarray:
+    """Return the highest wave number in the middle of the band along z, y, x; (3,) cycles per voxel."""
+    inverse = np.linalg.inv(texture.wave_matrix())
+    return np.sqrt(np.diag(inverse @ inverse.T))[::-1]
 
 
 def _amplitudes(texture: Texture, waves: list, stream: Stream) -> np.ndarray:
@@ -123,7 +127,9 @@ def _summed(real: np.ndarray, imaginary: np.ndarray, turns: tuple) -> tuple:
     )
 
 
-def gaussian_slabs(texture: Texture, shape: tuple, stream: Stream) -> Iterator[tuple]:
+def gaussian_slabs(
+    texture: Texture, shape: tuple, stream: Stream, periods: Optional[Texture] = None
+) -> Iterator[tuple]:
     """Yield slabs along z of two independent Gaussian fields with the texture's waves.
 
     Parameters
@@ -132,6 +138,8 @@ def gaussian_slabs(texture: Texture, shape: tuple, stream: Stream) -> Iterator[t
     shape : tuple (P, M, N)
     stream : Stream
         Its next two numbers decide the fields.
+    periods : Texture, optional
+        The texture whose periods the waves have: fields of one stream with the same periods share their waves.
 
     Yields
     ------
@@ -140,7 +148,7 @@ def gaussian_slabs(texture: Texture, shape: tuple, stream: Stream) -> Iterator[t
     g, h : ndarray of shape (layers, M, N), float64
         Means near 0, deviations near 1.
     """
-    waves = _wave_numbers(texture, shape)
+    waves = _wave_numbers(texture, shape, texture if periods is None else periods)
     real, imaginary = _amplitudes(texture, waves, stream)
     deviation = max(1.0, math.sqrt(float((real**2 + imaginary**2).sum()) / 2.0))
     (period_z, high_z), (period_y, high_y), (period_x, high_x) = waves

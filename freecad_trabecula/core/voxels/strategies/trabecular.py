@@ -15,11 +15,14 @@ from ...progress import Progress, part, silent
 from ..connectivity import Solid
 from ..contacts import remove_contacts
 from ..exact_moves import ExactMoves
-from ..joining import joined_solid
+from ..joining import joined_solid, one_part
+from ..local_scale import locally_fitted
 from ..parameters import VoxelParameters
-from ..plane_offsets import FORBIDDEN
+from ..plane_offsets import FORBIDDEN, newton_offsets, solid_of
 from ..targets import Targets
 from ..texture import Texture, trabecular_field
+from ..texture_fit import DEFAULT_MIX, fitted_texture
+from ..trabeculae import match_trabeculae, trabecula_counts, wanted_trabeculae
 
 NAME = "trabecular"
 SUMMARY = "One connected part of sheets and rods, like the sample's; no floating voxel, no closed cavity"
@@ -53,19 +56,14 @@ def design(
     """
     counts = [targets.c, targets.e, targets.d]
     check_one_part(counts)
-    texture = chosen_texture(targets, parameters)
-    allowed = allowed_voxels(counts, mask)
+    order = _Order(targets, parameters, counts, allowed_voxels(counts, mask), chosen_texture(targets, parameters))
     for attempt in range(_ATTEMPTS):
-        share = part(progress, attempt / _ATTEMPTS if attempt else 0.0, 1.0)
         try:
-            field = trabecular_field(texture, targets.shape, parameters.seed, (attempt,), part(share, 0.0, 0.1))
-            if allowed is not None:
-                field[~allowed] = FORBIDDEN
-            return exact_solid(field, counts, parameters, allowed, part(share, 0.1, 1.0))
+            return order.filled(attempt, progress)
         except ExactnessError:
             if attempt == _ATTEMPTS - 1:
                 raise
-    raise AssertionError("unreachable")
+    raise ExactnessError("no field was tried")
 
 
 def check_one_part(counts: List[np.ndarray]) -> None:
@@ -98,40 +96,82 @@ def allowed_voxels(counts: List[np.ndarray], mask: Optional[np.ndarray]) -> Opti
 
 
 def chosen_texture(targets: Targets, parameters: VoxelParameters) -> Texture:
-    """Return the texture that the parameters ask for, in voxels."""
-    wavelengths = tuple(
-        max(2.5, length / edge) if length > 0 else DEFAULT_WAVELENGTH
-        for length, edge in zip(parameters.wavelength, targets.voxel)
-    )
-    return Texture(wavelengths, mix=parameters.rods)
+    """Return the texture that the parameters ask for, in voxels: theirs, the sample's where they leave it open."""
+    mix = parameters.rods if parameters.rods >= 0 else None
+    lengths = np.array([length / edge for length, edge in zip(parameters.wavelength, targets.voxel)])
+    if targets.sample is None:
+        fitted = Texture((DEFAULT_WAVELENGTH,) * 3, mix=DEFAULT_MIX if mix is None else mix)
+    elif lengths.all() and mix is not None:
+        fitted = Texture(mix=mix)
+    else:
+        fitted = fitted_texture(targets.sample, mix)
+    if not lengths.any():
+        return fitted
+    own = np.diag(fitted.wave_matrix())
+    return Texture(tuple(max(2.5, float(w)) for w in np.where(lengths > 0, lengths, own)), mix=fitted.mix)
 
 
-def exact_solid(
-    field: np.ndarray,
-    counts: List[np.ndarray],
-    parameters: VoxelParameters,
-    allowed: Optional[np.ndarray],
-    progress: Progress = silent,
-) -> np.ndarray:
-    """Return one exact part along the heights of a field, (P, M, N) bool.
+class _Order:
+    """What one design is to be."""
 
-    Parameters
-    ----------
-    field : ndarray of shape (P, M, N), float32
-        ``plane_offsets.FORBIDDEN`` where no solid may be. Changed.
-    counts : list of 3 int arrays
-        Voxels of each layer along z, y, x.
-    parameters : VoxelParameters
-    allowed : ndarray of shape (P, M, N), bool, or None
-    progress : callable
+    def __init__(
+        self,
+        targets: Targets,
+        parameters: VoxelParameters,
+        counts: List[np.ndarray],
+        allowed: Optional[np.ndarray],
+        texture: Texture,
+    ) -> None:
+        self.parameters, self.counts, self.allowed, self.texture = parameters, counts, allowed, texture
+        self.shape = targets.shape
+        self.wanted = wanted_trabeculae(targets, parameters.trabeculae)
 
-    Raises
-    ------
-    ExactnessError
-        If it was not found.
-    """
-    solid, offsets = joined_solid(field, counts, part(progress, 0.0, 0.6))
-    moves = ExactMoves(Solid(solid, allowed), field, offsets, counts, part(progress, 0.6, 1.0))
-    if parameters.contacts != "any":
-        remove_contacts(moves, parameters.contacts == "corner")
-    return moves.run()
+    @property
+    def counts_trabeculae(self) -> bool:
+        """Whether numbers of trabeculae are targets."""
+        return any(w is not None for w in self.wanted)
+
+    def filled(self, attempt: int, progress: Progress) -> np.ndarray:
+        """Return one exact part, (P, M, N) bool, along the field of an attempt.
+
+        Raises
+        ------
+        ExactnessError
+            If it was not found.
+        """
+        ends = (0.5, 0.7) if self.counts_trabeculae else (0.1, 0.6)
+        field = self.field(attempt, part(progress, 0.0, ends[0]))
+        solid, offsets = joined_solid(field, self.counts, part(progress, *ends))
+        moves = ExactMoves(Solid(solid, self.allowed), field, offsets, self.counts, part(progress, ends[1], 1.0))
+        if self.parameters.contacts != "any":
+            remove_contacts(moves, self.parameters.contacts == "corner")
+        if self.counts_trabeculae:
+            match_trabeculae(moves, self.wanted)
+        return moves.run()
+
+    def field(self, attempt: int, progress: Progress) -> np.ndarray:
+        """Return the field of an attempt, float32, ``FORBIDDEN`` where no solid may be."""
+        seed, identity = self.parameters.seed, (attempt,)
+        if self.counts_trabeculae:
+            field = locally_fitted(
+                self.texture, self.shape, seed, identity, self.wanted, self._quickly, self._counted, progress
+            )
+        else:
+            field = trabecular_field(self.texture, self.shape, seed, identity, progress)
+        if self.allowed is not None:
+            field[~self.allowed] = FORBIDDEN
+        return field
+
+    def _quickly(self, field: np.ndarray) -> np.ndarray:
+        """Return one part along a field, not exact, for counting; changes the field."""
+        if self.allowed is not None:
+            field[~self.allowed] = FORBIDDEN
+        offsets = newton_offsets(field, self.counts, narrowest=2.0**-5)
+        solid = one_part(solid_of(field, offsets), field > FORBIDDEN / 2)
+        moves = ExactMoves(Solid(solid, self.allowed), field, offsets, self.counts)
+        if self.parameters.contacts != "any":
+            remove_contacts(moves)
+        return moves.solid.voxels
+
+    def _counted(self, solid: np.ndarray) -> List[np.ndarray]:
+        return list(trabecula_counts(solid))[::-1]
