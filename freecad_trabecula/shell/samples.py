@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
 
-import numpy as np
-
 from ..core.analysis.analysis import Analysis, analyse, contours_of
 from ..core.analysis.contours import Contours
 from ..core.analysis.folder import load_analysis
@@ -17,10 +15,10 @@ from ..core.analysis.morphometry import measure
 from ..core.analysis.parameters import SliceParameters
 from ..core.analysis.ssl import UNITS, read_ssl
 from ..core.analysis.triangles import Soup, read_soup
-from ..core.progress import Progress, part
+from ..core.progress import Progress, part, silent
 from ..errors import DependencyError, EnvelopeError, ExportError, KernelError, MeshError, ParameterError
 from ..geometry.envelopes import SHAPE_FILES, load_shape
-from ..geometry.tessellation import tessellate
+from ..geometry.sections import shape_soup
 
 #: Options that are fields of the parameters; an option that was not given leaves the field's default.
 _FIELDS = ("thickness", "at", "gap", "iterations", "filter_open", "filter_closed", "smoothing", "compensation", "fill")
@@ -85,13 +83,13 @@ def read_sample(path: str, options: Mapping[str, Any], progress: Progress) -> Sa
         return _layers(path, options, parameters, progress)
     progress(0.0, 1.0, f"reading {Path(path).name}")
     try:
-        soup, notes = read_body(path, options["unit"])
+        soup, notes = read_body(path, options["unit"], part(progress, 0.0, 0.05))
     except (MeshError, ExportError) as error:  # what was given is wrong: not something that failed on the way
         raise ParameterError(str(error)) from error
     return _measured(soup, notes, parameters, not options["no_morphometry"], part(progress, 0.05, 1.0))
 
 
-def read_body(path: str, unit: str) -> Tuple[Soup, List[str]]:
+def read_body(path: str, unit: str, progress: Progress = silent) -> Tuple[Soup, List[str]]:
     """Return the triangles of a body's file, and what is to be said of it.
 
     Raises
@@ -107,15 +105,12 @@ def read_body(path: str, unit: str) -> Tuple[Soup, List[str]]:
         raise ParameterError(f"{path} could not be read: there is no such file")
     try:
         shape, notes = load_shape(path)
-        meshes = [tessellate(solid) for solid in shape.Solids]
+        soup = shape_soup(shape, source=Path(path).name, progress=progress)
     except (EnvelopeError, KernelError) as error:
         raise MeshError(f"{path} cannot be sliced: {error}") from error
-    if not meshes:
-        raise MeshError(f"{path} must hold at least one solid, got 0")
-    triangles = np.concatenate([one.mesh.vertices[one.mesh.triangles] for one in meshes])
-    told = dict.fromkeys([*notes, *(one.note for one in meshes if one.note)])
-    count = f"{len(meshes)} solids were sliced" if len(meshes) > 1 else "the solid was sliced"
-    return Soup(triangles, "mm (the file's)", Path(path).name), [f"{count} through {len(triangles)} triangles", *told]
+    count = len(shape.Solids)
+    words = f"{count} solids were sliced" if count > 1 else "the solid was sliced"
+    return replace(soup, unit="mm (the file's)"), [f"{words} through {len(soup.triangles)} triangles", *notes]
 
 
 def _measured(
