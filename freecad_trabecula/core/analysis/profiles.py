@@ -121,9 +121,7 @@ def make_profile(contours: Contours, measures: ContourMeasures, parameters: Slic
         If the contours and their measures are not of the same slices.
     """
     if len(contours) != len(measures):
-        raise ParameterError(
-            f"there must be one row of measures for each contour, got {len(measures)}, {len(contours)}"
-        )
+        raise ParameterError(f"each contour must have one row of measures, got {len(contours)} and {len(measures)}")
     slices = len(contours.heights)
     if spoilt is None:
         spoilt = np.bincount(contours.plane[~contours.closed], minlength=slices) > 0

@@ -48,7 +48,8 @@ class Soup:
             raise MeshError(f"triangles must have the shape (count, 3, 3), got {triangles.shape}")
         if not len(triangles):
             raise MeshError(f"{self.source or 'a mesh'} must have at least one triangle, got 0")
-        object.__setattr__(self, "triangles", triangles)
+        by_coordinate = np.ascontiguousarray(triangles.transpose(2, 1, 0))  # as ``by_corners`` wants them
+        object.__setattr__(self, "triangles", by_coordinate.transpose(2, 1, 0))
         low, high = self.box
         if not max(-low.min(), high.max()) <= LARGEST:  # nan fails too
             raise MeshError(
@@ -66,15 +67,14 @@ class Soup:
 def by_corners(triangles: np.ndarray) -> np.ndarray:
     """Return co-ordinates (3, 3 T): x, y, z of all first corners, then of all second, then of all third ones.
 
-    Without a copy for the triangles of a ``Soup`` that ``read_soup`` made.
+    Without a copy for the triangles of a ``Soup``, which lie in memory like that.
     """
     return np.ascontiguousarray(triangles.transpose(2, 1, 0)).reshape(3, -1)
 
 
 def soup_of(mesh: Mesh, source: str = "") -> Soup:
     """Return the triangles of a mesh in mm; vertices are rounded to single precision, equal ones alike."""
-    points = mesh.vertices.astype(np.float32).T
-    return Soup(points[:, mesh.triangles.T].transpose(2, 1, 0), source=source)
+    return Soup(mesh.vertices.astype(np.float32)[mesh.triangles], source=source)
 
 
 def read_soup(path: Union[str, Path], unit: str = "auto") -> Soup:
@@ -99,12 +99,11 @@ def read_soup(path: Union[str, Path], unit: str = "auto") -> Soup:
         raise ParameterError(f"the unit must be auto or one of {', '.join(UNITS)}, got {unit!r}")
     path = Path(path)
     triangles, own = read_mesh(path)
-    triangles = np.ascontiguousarray(triangles.transpose(2, 1, 0)).transpose(2, 1, 0)  # as ``by_corners`` wants them
     said = unit
     if unit == "auto":
         unit, said = (own, f"{own} (the file's)") if own else _guessed(triangles)
     if UNITS[unit] != 1.0:
-        triangles = (triangles.transpose(2, 1, 0) * np.float32(UNITS[unit])).transpose(2, 1, 0)
+        triangles = triangles * np.float32(UNITS[unit])
     return Soup(triangles, said, path.name)
 
 
