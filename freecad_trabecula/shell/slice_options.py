@@ -10,7 +10,7 @@ from .option_values import PROGRAM, axes, heights, number, value_range, whole_nu
 
 #: Of core/analysis, which needs numpy; held by a test too.
 PLANES = ("middle", "bottom")
-UNITS = ("auto", "mm", "cm", "m", "um", "inch")
+UNITS = ("auto", "mm", "cm", "m", "um", "inch", "foot")
 SMOOTHINGS = ("off", "normal", "heavy")
 FILLS = ("winding", "union")
 PLOTS = ("png", "svg", "pdf", "none")
