@@ -249,9 +249,8 @@ def contours_of(obj: Any, axis: str, progress: Progress = silent) -> Contours:
 # -------------------------------------------------------------------------------------------- for another process
 
 
-def write_inputs(folder: Path, obj: Any) -> Dict[str, Any]:
+def write_inputs(folder: Path, inputs: Inputs) -> Dict[str, Any]:
     """Write what another process needs to compute an analysis; return the record of its task."""
-    inputs = obj.Proxy.inputs(obj)
     write_source(inputs.body, folder, _BODY)
     if inputs.envelope is not None:
         write_source(inputs.envelope, folder, _ENVELOPE)

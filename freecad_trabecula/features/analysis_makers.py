@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, Optional, Sequence, Union
 
 import FreeCAD
@@ -24,7 +25,7 @@ def make_analysis(
     parameters: Optional[SliceParameters] = None,
     morphometry: bool = False,
     unit: str = "auto",
-    envelope: Any = None,
+    envelope: Any = "design",
     progress: Progress = silent,
 ) -> Any:
     """Add the slice analysis of a body and return the object.
@@ -40,8 +41,9 @@ def make_analysis(
         Also measure the body as a whole on voxels.
     unit : str
         Of a file.
-    envelope : document object, optional
-        To whose slices the porosity refers; by default the envelope of a design of ours, else the body's box.
+    envelope : document object, "design" or None
+        To whose slices the porosity refers; None: the body's box; by default the envelope of a design of ours, if it
+        is one.
     progress : callable
 
     Raises
@@ -59,17 +61,50 @@ def make_analysis(
     (90, 24.0)
     """
     is_file = isinstance(source, str)
+    if envelope == "design":
+        envelope = None if is_file else design_envelope(source)
     with all_or_nothing(document):
         obj = add(document, Analysis, "Analysis", "App::FeaturePython")
         if is_file:
-            obj.File, obj.Unit = source, unit
+            obj.File, obj.Unit, obj.Envelope = source, unit, envelope
+            obj.Label = f"Analysis {Path(source).stem}"
         else:
-            obj.Source, obj.Envelope = source, envelope or design_envelope(source)
+            obj.Source, obj.Envelope = source, envelope
             obj.Label = f"Analysis {source.Label}"
-        write_slice_parameters(obj, parameters or (SliceParameters() if is_file else default_parameters(source)))
+        write_slice_parameters(obj, parameters or default_parameters(None if is_file else source))
         obj.Morphometry = morphometry
         update(obj, progress)
     return obj
+
+
+def change_analysis(
+    obj: Any,
+    parameters: SliceParameters,
+    morphometry: bool = False,
+    envelope: Any = None,
+    progress: Progress = silent,
+) -> None:
+    """Slice the source of an analysis object in another way.
+
+    Raises
+    ------
+    TrabeculaError
+        If a value is refused; the caller's transaction takes back what was changed.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.analysis.parameters import SliceParameters
+    >>> box = make.make_box(FreeCAD.newDocument(), 2, 3, 4)
+    >>> analysis = make.make_analysis(box.Document, box)
+    >>> make.change_analysis(analysis, SliceParameters(thickness=0.5))
+    >>> analysis.Slices
+    18
+    """
+    write_slice_parameters(obj, parameters)
+    obj.Morphometry, obj.Envelope = morphometry, envelope
+    update(obj, progress)
 
 
 def default_parameters(source: Any) -> SliceParameters:

@@ -21,6 +21,7 @@ from ..errors import ExportError
 from ..geometry.design import SitedFace, placed_prism_sites
 from . import network, results
 from .analysis import Analysis, run_inputs, write_inputs
+from .analysis import Inputs as AnalysisInputs
 from .base import read_parameters
 from .envelope import checked_envelope
 from .face_sites import FaceSites, sites_key, sites_on
@@ -61,8 +62,7 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     2
     """
     if is_a(objects[0], Analysis):
-        place = Path(folder)
-        _write_record(place, {"analysis": write_inputs(place, objects[0])})
+        write_analysis_task(folder, objects[0].Proxy.inputs(objects[0]))
         return
     wireframe = next(obj if is_a(obj, Wireframe) else obj.Wireframe for obj in objects)
     job = job_of(wireframe, envelope=_ENVELOPE)
@@ -94,6 +94,11 @@ def write_job_task(folder: str, job: Job, envelope: Part.Shape, kinds: Sequence[
         if one["kind"] in ("scaffold", "solid"):
             one["scaffold"] = to_record(job.scaffold)
     _write(folder, job, envelope, wanted)
+
+
+def write_analysis_task(folder: str, inputs: AnalysisInputs) -> None:
+    """Write what another process needs to compute an analysis of which no document has an object yet."""
+    _write_record(Path(folder), {"analysis": write_inputs(Path(folder), inputs)})
 
 
 def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]]) -> None:

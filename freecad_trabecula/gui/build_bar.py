@@ -25,10 +25,17 @@ class BuildBar(QtGui.QWidget):
         Bodies that can be built, kinds as ``features.results`` has them.
     build, cancel : callable
         Called by the two buttons.
+    text, picture : str
+        Of the first button.
     """
 
     def __init__(
-        self, kinds: Sequence[Tuple[str, str, bool]], build: Callable[[], None], cancel: Callable[[], None]
+        self,
+        kinds: Sequence[Tuple[str, str, bool]],
+        build: Callable[[], None],
+        cancel: Callable[[], None],
+        text: str = translate("Trabecula", "Build"),
+        picture: str = "Trabecula_scaffold",
     ) -> None:
         super().__init__()
         self.boxes = {}
@@ -39,7 +46,7 @@ class BuildBar(QtGui.QWidget):
             box.setChecked(chosen)
             self.boxes[kind] = box
             self._choice.layout().addWidget(box)
-        self.build_button = self._button(translate("Trabecula", "Build"), "Trabecula_scaffold", build)
+        self.build_button = self._button(text, picture, build)
         self._choice.layout().addWidget(self.build_button, 1)
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, 1000)

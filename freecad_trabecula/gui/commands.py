@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -16,73 +16,26 @@ from ..errors import ParameterError
 from ..features.jobs import job_of
 from ..geometry.files import replacing
 from . import panels
+from .analysis_commands import COMMANDS as ANALYSIS_COMMANDS
+from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
 from .design_form import preset_text
 from .export_dialog import export_design
 from .picking import is_solid
 from .qt import icon_path
 from .rod_dock import toggle_dock
 from .site_panel import open_site_panel
-from .transactions import record, say, told, transaction
+from .transactions import say, transaction
 from .view_providers import parts_of, products_of, type_of, wireframe_of
 
 translate = FreeCAD.Qt.translate
 _JOB_FILES = "Trabecula job (*.json)"
 
 
-def _active() -> Any:
-    return FreeCAD.ActiveDocument
-
-
-def _selected() -> List[Any]:
-    return FreeCADGui.Selection.getSelection(FreeCAD.ActiveDocument.Name) if FreeCAD.ActiveDocument else []
-
-
 def _wireframe() -> Any:
     """The design of the selection, else the document's only or latest; None if there is none."""
-    chosen = [wireframe_of(obj) for obj in _selected() if type_of(obj)]
-    found = [one for one in chosen if one is not None] or panels.wireframes(_active())[-1:]
+    chosen = [wireframe_of(obj) for obj in selected_objects() if type_of(obj)]
+    found = [one for one in chosen if one is not None] or panels.wireframes(active_document())[-1:]
     return found[0] if found else None
-
-
-class Command:
-    """Base: texts and icon, and when the command can be used."""
-
-    NAME, ICON, TEXT, TIP = "", "", "", ""
-    #: What must be there: nothing, a "document", or a "design".
-    NEEDS = ""
-
-    def GetResources(self) -> Dict[str, str]:
-        """Return icon, text and tooltip."""
-        return {
-            "Pixmap": icon_path(self.ICON),
-            "MenuText": translate(self.NAME, self.TEXT),
-            "ToolTip": translate(self.NAME, self.TIP),
-        }
-
-    def IsActive(self) -> bool:
-        """Return whether the command can be used now; cheap, FreeCAD asks often."""
-        if not self.NEEDS:
-            return True
-        if _active() is None:
-            return False
-        return self.NEEDS == "document" or any(type_of(obj) == "Trabecula::Wireframe" for obj in _active().Objects)
-
-    def Activated(self, index: int = 0) -> None:
-        """Do it; errors raised on purpose are told in a dialog."""
-        with told():
-            self.run(index)
-
-    def run(self, index: int) -> None:
-        """Do it."""
-        raise NotImplementedError
-
-
-class PanelCommand(Command):
-    """A command that opens a task panel."""
-
-    def IsActive(self) -> bool:
-        """Return whether the command can be used now: one panel at a time."""
-        return not FreeCADGui.Control.activeDialog() and super().IsActive()
 
 
 class DesignRods(PanelCommand):
@@ -94,7 +47,7 @@ class DesignRods(PanelCommand):
     def run(self, index: int) -> None:
         """Open the panel."""
         document = document_or_new()
-        chosen = _selected()
+        chosen = selected_objects()
         design = next((wireframe_of(obj) for obj in chosen if type_of(obj)), None)
         if design is not None:
             panels.open_change(design)
@@ -152,12 +105,12 @@ class FaceSitesCommand(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        chosen = [one for one in FreeCADGui.Selection.getSelectionEx(_active().Name) if is_solid(one.Object)]
+        chosen = [one for one in FreeCADGui.Selection.getSelectionEx(active_document().Name) if is_solid(one.Object)]
         if not chosen:
             say(translate("Trabecula", "Select a solid, or faces of one, first"))
             return
         faces = [name for name in chosen[0].SubElementNames if name.startswith("Face")]
-        panels.open_on_faces(_active(), chosen[0].Object, faces)
+        panels.open_on_faces(active_document(), chosen[0].Object, faces)
 
 
 class EditSite(PanelCommand):
@@ -214,7 +167,7 @@ class Results(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        panels.open_results(_active().Name, _wireframe())
+        panels.open_results(active_document().Name, _wireframe())
 
 
 class RodInfo(Command):
@@ -274,14 +227,6 @@ class SaveJob(Command):
             say(translate("Trabecula", "{} was written").format(path))
 
 
-def document_or_new() -> Any:
-    """Return the active document; a new one if there is none."""
-    if FreeCAD.ActiveDocument is None:
-        record("import FreeCAD")
-        record("FreeCAD.newDocument()")
-    return FreeCAD.ActiveDocument
-
-
 def switch_view(wireframe: Any) -> None:
     """Show the channels of a design and hide its rods and its scaffold, or the other way round.
 
@@ -307,7 +252,8 @@ def switch_view(wireframe: Any) -> None:
 TOOLBAR = (
     *("Trabecula_Design", "Trabecula_Presets", "Trabecula_FaceSites", "Trabecula_EditSite", ""),
     *("Trabecula_Network", "Trabecula_Scaffold", "Trabecula_Switch", "Trabecula_RodInfo", ""),
-    *("Trabecula_Results", "Trabecula_Export", "Trabecula_OpenJob", "Trabecula_SaveJob"),
+    *("Trabecula_Results", "Trabecula_Export", "Trabecula_OpenJob", "Trabecula_SaveJob", ""),
+    *("Trabecula_Analysis", "Trabecula_AnalyseNow", "Trabecula_Plots", "Trabecula_Compare"),
 )
 
 
@@ -315,6 +261,7 @@ def register(workbench: Any) -> None:
     """Register all commands and give the workbench its toolbar and its menu."""
     kinds = (DesignRods, FaceSitesCommand, EditSite, BuildNetwork, BuildScaffold, SwitchView)
     commands = [kind() for kind in (*kinds, RodInfo, Results, Export, OpenJob, SaveJob)]
+    commands += [kind() for kind in ANALYSIS_COMMANDS]
     commands += [LoadPreset(name) for name in PRESETS] + [Presets()]
     for command in commands:
         FreeCADGui.addCommand(command.NAME, command)

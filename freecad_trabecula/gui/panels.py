@@ -36,7 +36,9 @@ def open_for(document: str, name: str) -> None:
     if obj is None:
         return
     wireframe = wireframe_of(obj)
-    if wireframe is None:
+    if type_of(obj) == "Trabecula::Analysis":
+        open_analysis(obj.Document, obj)
+    elif wireframe is None:
         say(translate("Trabecula", "{} belongs to no design yet").format(obj.Label))
     elif obj in products_of(wireframe):
         open_results(document, wireframe)
@@ -137,6 +139,15 @@ def open_results(document: str, wireframe: Any = None) -> None:
     if document in FreeCAD.listDocuments() and is_free():
         found = wireframe or wireframes(FreeCAD.getDocument(document))[-1]
         show_panel(ResultsPanel(found))
+
+
+def open_analysis(document: Any, obj: Any = None, source: Any = None) -> None:
+    """Open the panel of slice analyses: for one that is there, or for a new one of a source."""
+    from .analysis_panel import AnalysisPanel
+
+    if is_free():
+        with told():
+            show_panel(AnalysisPanel(document, obj, source))
 
 
 def wireframes(document: Any) -> list:

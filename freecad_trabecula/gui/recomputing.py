@@ -14,6 +14,8 @@ from PySide import QtCore, QtGui
 
 from .. import make
 from ..errors import TrabeculaError
+from ..features.analysis import Analysis
+from ..features.feature import is_a
 from ..features.jobs import job_of
 from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
 from .child_work import ChildWork, Progress, task_work, time_text
@@ -21,7 +23,7 @@ from .qt import invoke_later
 from .view_providers import wireframe_of
 
 translate = FreeCAD.Qt.translate
-Owner = Tuple[str, str]  # names of document and wireframe
+Owner = Tuple[str, str]  # names of document and wireframe, or analysis
 _ended: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
 
 
@@ -58,10 +60,10 @@ class Recomputing(QtCore.QObject):
         failed_key, text = self._failed.pop((obj.Document.Name, obj.Name), ("", ""))
         if failed_key == key:
             raise TrabeculaError(text)
-        wireframe = wireframe_of(obj)
         try:
-            job_of(wireframe, envelope="envelope")
-            owner = (obj.Document.Name, wireframe.Name)
+            if not is_a(obj, Analysis):
+                job_of(wireframe_of(obj), envelope="envelope")
+            owner = (obj.Document.Name, (obj if is_a(obj, Analysis) else wireframe_of(obj)).Name)
         except (TrabeculaError, AttributeError):  # of no design, or of one that no job can hold
             return False
         names = self._wanted.setdefault(owner, {})
@@ -92,7 +94,7 @@ class Recomputing(QtCore.QObject):
         self._bar.show_start()
 
     def _objects(self, owner: Owner) -> List[Any]:
-        """Those that wait; the wireframe itself stands for its sites."""
+        """Those that wait: an analysis alone, or a wireframe, which stands for its sites, and bodies made of it."""
         if owner[0] not in FreeCAD.listDocuments():
             return []
         document = FreeCAD.getDocument(owner[0])
@@ -203,7 +205,7 @@ class WorkBar(QtGui.QWidget):
     def show_start(self) -> None:
         """Show that work has begun."""
         self.bar.setValue(0)
-        self.what.setText(translate("Trabecula", "Design is being computed"))
+        self.what.setText(translate("Trabecula", "being computed"))
         self.show()
 
     def show_progress(self, progress: Progress) -> None:
