@@ -20,6 +20,7 @@ from ..errors import DependencyError, EnvelopeError, ExportError, KernelError, M
 from ..geometry.envelopes import SHAPE_FILES, load_shape
 from ..geometry.sections import shape_soup
 
+MESH_FILES = (".stl", ".obj", ".ply", ".3mf")
 #: Options that are fields of the parameters; an option that was not given leaves the field's default.
 _FIELDS = ("thickness", "at", "gap", "iterations", "filter_open", "filter_closed", "smoothing", "compensation", "fill")
 
@@ -97,8 +98,12 @@ def read_body(path: str, unit: str, progress: Progress = silent) -> Tuple[Soup, 
     MeshError, ExportError, ParameterError
         If the file is none of those known, or cannot be read.
     """
-    if Path(path).suffix.lower() not in SHAPE_FILES:
+    kind = Path(path).suffix.lower()
+    if kind in MESH_FILES:
         return read_soup(path, unit), []
+    if kind not in SHAPE_FILES:
+        kinds = ", ".join((*MESH_FILES, *SHAPE_FILES, ".ssl"))
+        raise ParameterError(f"{path}: what is analysed must be a folder or a file that ends in {kinds}, got {kind!r}")
     if unit not in ("auto", "mm"):
         raise ParameterError(f"the unit of a STEP, IGES or BREP file is in the file, got --unit {unit}")
     if not Path(path).is_file():

@@ -218,6 +218,15 @@ def test_a_file_that_is_not_there_and_a_unit_that_is_none_are_refused(tmp_path):
         read(tmp_path, BOX, unit="ell")
 
 
+def test_a_file_that_vanishes_while_it_is_read_is_refused(tmp_path, monkeypatch):
+    def vanished(self):
+        raise OSError(5, "Input/output error")
+
+    monkeypatch.setattr(Path, "read_bytes", vanished)
+    with pytest.raises(ExportError, match="file.ssl could not be read: Input/output error"):
+        read(tmp_path, BOX)
+
+
 def test_reading_can_be_stopped(tmp_path):
     def stop(done, total, what):
         raise Cancelled("stopped")
