@@ -19,7 +19,10 @@ LAYERS = (
     # name, modules, imports, imports inside functions
     (
         "bare",
-        ("errors", "__main__", "shell.arguments", "shell.option_values", "shell.slice_options", "shell.launch"),
+        (
+            *("errors", "__main__", "shell.arguments", "shell.option_values", "shell.slice_options"),
+            *("shell.voxel_options", "shell.launch"),
+        ),
         ("stdlib", ".bare"),
         (),
     ),

@@ -12,7 +12,7 @@ import os
 import sys
 from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
-from . import slice_options
+from . import slice_options, voxel_options
 from .option_values import PROGRAM, pair, whole_number
 
 #: The engines of core/parameters.py, which needs numpy; a test holds the two lists together.
@@ -161,6 +161,15 @@ COMMANDS: Tuple[Command, ...] = (
         slice_options.check_compare,
         ("samples", "out"),
         slice_options.COMPARE_EXAMPLES,
+    ),
+    Command(
+        "voxels",
+        "design voxels with exactly the sliced areas of a sample along X, Y and Z",
+        "freecad_trabecula.shell.voxels",
+        voxel_options.voxel_options,
+        voxel_options.check_voxels,
+        ("file", "out", "mask", "tables"),
+        voxel_options.EXAMPLES,
     ),
 )
 

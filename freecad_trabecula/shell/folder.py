@@ -91,8 +91,8 @@ class ResultFolder:
             If one cannot be moved.
         """
         try:
-            self._make(self.target)
             for name in names:
+                self._make((self.target / name).parent)
                 os.replace(self.aside / name, self.target / name)
             self._made.clear()
         except OSError as error:

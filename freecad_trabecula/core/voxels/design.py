@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import math
 import time
 from dataclasses import dataclass, field, replace
-from typing import Mapping, Optional, Tuple
+from typing import Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from ...errors import ParameterError
 from ..progress import Progress, part, silent
 from .exact_search import is_small
 from .feasibility import check_feasible
-from .parameters import VoxelParameters
+from .parameters import BYTES_PER_VOXEL, VoxelParameters, check_voxel_count
 from .strategies import find_strategy
 from .table_pairs import draw_pair
 from .targets import Targets
@@ -101,6 +102,55 @@ def make_design(
     check_exact(voxels, targets)
     seconds["verification"] = time.perf_counter() - start
     return VoxelDesign(voxels, targets, parameters, mask, seconds, tuple(target_notes(targets)))
+
+
+class Estimate(NamedTuple):
+    """What a design will take.
+
+    Attributes
+    ----------
+    layers : tuple of int
+        N, M, P.
+    cells : int
+    gigabytes : float
+        Of memory at its peak.
+    seconds : float
+        On a processor of 2020.
+    """
+
+    layers: Tuple[int, int, int]
+    cells: int
+    gigabytes: float
+    seconds: float
+
+    @property
+    def words(self) -> str:
+        """The estimate as a sentence."""
+        n, m, p = self.layers
+        return (
+            f"{n} x {m} x {p} layers, {self.cells:,} cells: about {self.gigabytes:.2g} GB of memory and "
+            f"{max(self.seconds, 0.1):.2g} s"
+        )
+
+
+def estimate(layers: Tuple[int, int, int], strategy: str) -> Estimate:
+    """Return what a design of so many layers will take; it grows with the cells.
+
+    Parameters
+    ----------
+    layers : tuple of int
+        N, M, P.
+    strategy : str
+
+    Raises
+    ------
+    ParameterError
+        If the cells are too many, or the strategy is unknown.
+    """
+    check_voxel_count(layers)
+    cells = math.prod(layers)
+    per_million = getattr(find_strategy(strategy), "SECONDS_PER_MILLION", 1.0)
+    return Estimate(tuple(layers), cells, 0.1 + cells * BYTES_PER_VOXEL / 1e9, per_million * cells / 1e6)
 
 
 def _checked_mask(mask: Optional[np.ndarray], targets: Targets) -> Optional[np.ndarray]:

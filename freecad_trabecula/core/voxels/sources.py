@@ -54,10 +54,7 @@ def read_targets(path: Union[str, Path], parameters: VoxelParameters, progress: 
     if path.is_dir():
         return targets_of_analysis(path, parameters)
     if kind in MESHES:
-        try:
-            return targets_of_triangles(read_soup(path).triangles, parameters, progress)
-        except ExportError as error:
-            raise ParameterError(str(error)) from error
+        return targets_of_triangles(read_triangles(path), parameters, progress)
     if kind == ".csv":
         return targets_of_csv(path, parameters)
     if kind == ".json":
@@ -67,6 +64,67 @@ def read_targets(path: Union[str, Path], parameters: VoxelParameters, progress: 
     raise ParameterError(
         f"targets are read from {', '.join(MESHES)}, .csv, .json, .npy or the folder of an analysis, got {path.name}"
     )
+
+
+def layers_of_source(path: Union[str, Path], parameters: VoxelParameters) -> Tuple[int, int, int]:
+    """Return how many layers N, M, P the targets of a file have, before they are made: for an estimate.
+
+    Raises
+    ------
+    ParameterError
+        As ``read_targets``.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in MESHES or path.is_dir():
+        return read_targets(path, parameters).layers
+    triangles = read_triangles(path)
+    edges = triangles.max((0, 1)).astype(float) - triangles.min((0, 1))
+    return layer_counts_of_box(edges, parameters.size, parameters.areas)
+
+
+def read_triangles(path: Union[str, Path]) -> np.ndarray:
+    """Return the triangles of a mesh, (T, 3, 3) mm.
+
+    Raises
+    ------
+    ParameterError
+        If the file cannot be read or is damaged.
+    """
+    try:
+        return read_soup(path).triangles
+    except (ExportError, MeshError) as error:
+        raise ParameterError(str(error)) from error
+
+
+def read_mask(path: Union[str, Path], targets: Targets, boundary: str, progress: Progress = silent) -> np.ndarray:
+    """Return the cells that may be solid, (P, M, N) bool: from a closed mesh, or an NPY file of the targets' shape.
+
+    Parameters
+    ----------
+    path : str or Path
+    targets : Targets
+    boundary : str
+        Cells that a mesh cuts: ``half``: those with their centre inside; ``touched`` and ``inside``: those with any, or
+        all, of 3 x 3 x 3 points inside.
+    progress : callable
+
+    Raises
+    ------
+    ParameterError
+        If the file cannot be read, is of another shape, or no cell is inside.
+    """
+    path = Path(path)
+    if path.suffix.lower() == ".npy":
+        mask = read_npy(path) > 0
+        require(mask.shape == targets.shape, f"the mask must have the shape {targets.shape}", mask.shape)
+    else:
+        fine = 1 if boundary == "half" else 3
+        size, layers = (np.asarray(targets.voxel) / fine, tuple(fine * n for n in targets.layers))
+        points = _voxelised(read_triangles(path), np.asarray(targets.origin), layers, size, progress)
+        points = points.reshape([k for n in targets.shape for k in (n, fine)])
+        mask = points.any((1, 3, 5)) if boundary == "touched" else points.all((1, 3, 5))
+    require(bool(mask.any()), f"a mask must have at least one cell; {path.name} has in the targets' box", 0, "cells")
+    return mask
 
 
 def targets_of_triangles(triangles: np.ndarray, parameters: VoxelParameters, progress: Progress = silent) -> Targets:
@@ -108,9 +166,12 @@ def targets_of_triangles(triangles: np.ndarray, parameters: VoxelParameters, pro
 def _voxelised(
     triangles: np.ndarray, low: np.ndarray, layers: Tuple[int, int, int], size: Sequence[float], progress: Progress
 ) -> np.ndarray:
-    """Voxels of the sample on the design's own grid, (P, M, N) bool; cells that are no cubes are made so first."""
+    """Voxels of a mesh on the design's own grid, (P, M, N) bool; cells that are no cubes are made so first."""
     scaled = (np.asarray(triangles, float) - low) / np.asarray(size)
-    return voxelise(scaled, 1.0, ((0.0, 0.0, 0.0), layers), progress).solid
+    try:
+        return voxelise(scaled, 1.0, ((0.0, 0.0, 0.0), layers), progress).solid
+    except MeshError as error:
+        raise ParameterError(f"a mesh must be closed to be filled with voxels: {error}") from error
 
 
 def mean_thickness(triangles: np.ndarray) -> float:
