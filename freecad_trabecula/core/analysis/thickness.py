@@ -5,6 +5,10 @@ Hildebrand and Rüegsegger, J. Microsc. 185 (1997) 67, DOI 10.1046/j.1365-2818.1
 squared distances are whole numbers, every ball that could matter is painted, and balls are left out only where a
 neighbour's ball covers all their voxels. What lies outside the array is unknown, not void: balls may reach out of it,
 as in other programs.
+
+Distances run from voxel centre to voxel centre, as in other programs too: beyond the surface on one side, short of the
+true middle on the other. Measured over all angles and places, a plate comes out 0.4 voxels too thick, a rod 0.2 and a
+ball 0.9 voxels too thin; a plate along the grid that is n voxels thick gets n if n is even, n + 1 if it is odd.
 """
 
 from __future__ import annotations
@@ -16,10 +20,6 @@ import numpy as np
 from ...errors import MeshError
 from ..progress import Progress, part, silent
 
-#: Voxels, taken off every diameter. Distances run from voxel centre to voxel centre, so that a plate n voxels thick
-#: gets n + 1 if n is odd and n if it is even; the mean, n + 1/2, is half a voxel too much. What is left errs by up to
-#: half a voxel for a plate along the grid, less for all others.
-CENTRE_TO_SURFACE = 0.5
 _FAR = np.int32(1 << 14)  # more voxels than any direction has
 _WRITES = 4_000_000  # voxels painted at once
 
@@ -248,7 +248,7 @@ def local_thickness(inside: np.ndarray, size: float, progress: Progress = silent
     Returns
     -------
     ndarray of shape (P, M, N), float32, mm
-        0 outside; half a voxel is taken off every diameter (``CENTRE_TO_SURFACE``).
+        0 outside.
 
     Raises
     ------
@@ -258,9 +258,7 @@ def local_thickness(inside: np.ndarray, size: float, progress: Progress = silent
     if inside.all():
         raise MeshError("a thickness needs a surface, got voxels that are all on one side of it")
     radii = squared_radii(inside, progress)
-    diameters = 2 * np.sqrt(np.arange(int(radii.max()) + 1, dtype=np.float32)) - CENTRE_TO_SURFACE
-    diameters[0] = 0
-    return (size * diameters).astype(np.float32)[radii]
+    return (2 * size * np.sqrt(np.arange(int(radii.max()) + 1))).astype(np.float32)[radii]
 
 
 def size_distribution(thickness: np.ndarray, size: float, within: Optional[np.ndarray] = None) -> SizeDistribution:
