@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A texture fitted to a sample: how often lines of every direction cross its surface, and how connected it is.
+"""A texture fitted to a sample: how often lines of every direction cross its surface, how large its trabeculae are.
 
-Lines along n cross the surface of a field with waves |A k| = 1 in proportion to |A^-1 n| (all directions of an isotropic
-field are alike), so that crossings along 13 directions of the grid give the axes and lengths of the waves: the mean
-intercept ellipsoid (Harrigan, Mann 1984, doi:10.1007/BF00539414). Sheets have fewer, rods more openings: the mix is the
-one whose Euler number is the sample's. Both are compared with fields cut to the sample's own layer counts.
+Lines along n cross the surface of a field with waves |A k| = 1 in proportion to |A^-1 n| (all directions of an
+isotropic field are alike), so that crossings along 13 directions of the grid give the axes and lengths of the waves: the
+mean intercept ellipsoid (Harrigan, Mann 1984, doi:10.1007/BF00539414). Layers cut sheets into long trabeculae and rods
+into small ones: the mix is the one whose trabeculae, weighed by area, are as large as the sample's. Both are compared
+with fields cut to the sample's own layer counts.
 """
 
 from __future__ import annotations
@@ -17,19 +18,17 @@ from typing import List, Optional
 import numpy as np
 
 from ...errors import ParameterError
-from .connectivity import parts
 from .plane_offsets import layer_sums, newton_offsets, solid_of
 from .texture import Texture, trabecular_field
 
-#: The mix without a sample, or with one too small to tell.
+#: The mix without a sample.
 DEFAULT_MIX = 0.3
-_MIXES = (0.1, 0.3, 1.0)
+_MIXES = (1.0, 0.15, 1 / 64)
 _LARGEST_WINDOW = 104  # voxels along an edge; a larger sample is judged by its middle
 _COARSE = 0.05  # crossings per voxel below which every other voxel is enough
 _START = 1.7  # crossings per wavelength along a line, about
 _SIMULATIONS = 3  # of a sample that holds few waves; one of a finer sample
 _STEPS = 3
-_LEAST_EULER = 60  # a sample of fewer openings does not tell the mix
 _STEPS_ZYX = tuple(d for d in product((-1, 0, 1), repeat=3) if d > (0, 0, 0))  # 13 directions
 
 
@@ -51,20 +50,17 @@ def crossing_tensor(solid: np.ndarray) -> np.ndarray:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-def euler_number(solid: np.ndarray) -> int:
-    """Return the Euler number of a solid whose voxels hang together by faces: parts - openings + cavities."""
-    # voxels, pairs, squares and blocks of them are the vertices, edges, faces and cells of the dual grid
-    pairs = [_joined(solid, axis) for axis in range(3)]
-    squares = [_joined(pairs[a], b) for a, b in ((0, 1), (0, 2), (1, 2))]
-    block = _joined(squares[0], 2)
-    count = int(np.count_nonzero(solid)) - sum(int(np.count_nonzero(p)) for p in pairs)
-    return count + sum(int(np.count_nonzero(s)) for s in squares) - int(np.count_nonzero(block))
+def trabecula_area(solid: np.ndarray) -> float:
+    """Return the area in voxels of the trabecula that a solid voxel lies in, on average over voxels and three axes."""
+    from scipy import ndimage
 
-
-def _joined(solid: np.ndarray, axis: int) -> np.ndarray:
-    """Return where neighbours along an axis are both solid."""
-    solid = np.moveaxis(solid, axis, 0)
-    return np.moveaxis(solid[1:] & solid[:-1], 0, axis)
+    means = []
+    for axis in range(3):
+        structure = ndimage.generate_binary_structure(3, 1)
+        structure[tuple((0, 2) if i == axis else 1 for i in range(3))] = False
+        areas = np.bincount(ndimage.label(solid, structure)[0].reshape(-1))[1:].astype(float)
+        means.append((areas**2).sum() / max(1.0, areas.sum()))
+    return float(np.mean(means))
 
 
 def fitted_texture(sample: np.ndarray, mix: Optional[float] = None) -> Texture:
@@ -74,7 +70,7 @@ def fitted_texture(sample: np.ndarray, mix: Optional[float] = None) -> Texture:
     ----------
     sample : ndarray of shape (P, M, N), bool
     mix : float, optional
-        Sheets (0) to rods (1); None: fitted to the sample's Euler number.
+        Sheets (0) to rods (1); None: fitted to the areas of the sample's trabeculae.
 
     Raises
     ------
@@ -136,19 +132,12 @@ def _scaled_to(window: np.ndarray, wanted: np.ndarray, texture: Texture, steps: 
 
 
 def _fitted_mix(window: np.ndarray, wanted: np.ndarray, texture: Texture) -> tuple:
-    """Return the mix whose Euler number of the largest part is the window's, and a texture near it."""
-    goal = euler_number(_largest_part(window))
-    if abs(goal) < _LEAST_EULER:
-        return DEFAULT_MIX, texture
-    found = []
+    """Return the mix whose trabeculae are as large as the window's, and a texture near it."""
+    goal = trabecula_area(window)
+    areas = []
     for mix in _MIXES:
         texture, solids = _scaled_to(window, wanted, replace(texture, mix=mix), 2)
-        found.append(float(np.mean([euler_number(_largest_part(solid)) for solid in solids])))
-    order = np.argsort(found)
-    logs = np.interp(goal, np.array(found)[order], np.log(_MIXES)[order])
+        areas.append(float(np.mean([trabecula_area(solid) for solid in solids])))
+    order = np.argsort(areas)
+    logs = np.interp(np.log(goal), np.log(np.array(areas)[order]), np.log(_MIXES)[order])
     return float(np.rint(np.exp(logs) * 64) / 64), texture
-
-
-def _largest_part(solid: np.ndarray) -> np.ndarray:
-    labels, sizes = parts(solid)
-    return labels == int(np.argmax(sizes))

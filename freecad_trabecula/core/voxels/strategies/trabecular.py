@@ -6,6 +6,7 @@ Field -> offsets -> islands joined -> contacts removed -> exact moves. No floati
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import List, Optional
 
 import numpy as np
@@ -29,6 +30,8 @@ SUMMARY = "One connected part of sheets and rods, like the sample's; no floating
 
 #: Wavelength without a sample, voxels: struts of two to three voxels.
 DEFAULT_WAVELENGTH = 8.0
+#: Least mix where trabeculae are counted: sheets alone join what is to be cut.
+COUNTED_MIX = 0.1
 _ATTEMPTS = 3  # fields tried before the search gives up
 
 
@@ -153,8 +156,9 @@ class _Order:
         """Return the field of an attempt, float32, ``FORBIDDEN`` where no solid may be."""
         seed, identity = self.parameters.seed, (attempt,)
         if self.counts_trabeculae:
+            texture = replace(self.texture, mix=max(self.texture.mix, COUNTED_MIX))
             field = locally_fitted(
-                self.texture, self.shape, seed, identity, self.wanted, self._quickly, self._counted, progress
+                texture, self.shape, seed, identity, self.wanted, self._quickly, self._counted, progress
             )
         else:
             field = trabecular_field(self.texture, self.shape, seed, identity, progress)
