@@ -78,10 +78,15 @@ TABLE: Dict[str, Tuple[str, str, str, str]] = {
     "DA": (
         "degree of anisotropy",
         "1",
-        "MIL.max over MIL.min, 1 = isotropic; 1 - 1/DA^2 is the form that goes from 0 to 1",
+        "MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1",
         _MIL,
     ),
-    "DA.mesh": ("degree of anisotropy, by triangles", "1", "DA of endless lines through BS: the second route", _MIL),
+    "DA.mesh": (
+        "degree of anisotropy, by triangles",
+        "1",
+        "DA by all lines through BS, from its normals: the second route, exact",
+        _MIL,
+    ),
 }
 
 
@@ -137,7 +142,8 @@ class Morphometry:
     notes: Tuple[str, ...] = ()
 
     def __getitem__(self, symbol: str) -> float:
-        return next(m.value for m in self.measures if m.symbol == symbol)
+        """Return the value of a measure by its symbol; KeyError if the body has none."""
+        return {one.symbol: one.value for one in self.measures}[symbol]
 
 
 def measure(soup: Soup, voxel: Optional[float] = None, progress: Progress = silent) -> Morphometry:

@@ -54,7 +54,7 @@ def test_plates_at_any_angle_show_their_normal_and_their_distance(normal):
     unit = np.array(normal) / np.linalg.norm(normal)
     assert abs(found.axes[2] @ unit) > 0.999
     assert found.lengths[2] == pytest.approx(8.0, rel=0.08)
-    assert found.anisotropy > 8
+    assert found.anisotropy > 5
 
 
 def test_balls_are_isotropic_and_have_their_surface():
