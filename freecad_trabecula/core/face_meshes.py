@@ -88,11 +88,14 @@ def _steps(at: np.ndarray, density: np.ndarray) -> np.ndarray:
 
 def grid_densities(bends: Bends, deflection: float, angle: float) -> Tuple[np.ndarray, np.ndarray]:
     """Return densities over u and over v, both (U, V), of a grid whose diagonals keep the deflection."""
-    over_u = steps_per_unit(bends.uu, bends.along_u, deflection, angle)
-    over_v = steps_per_unit(bends.vv, bends.along_v, deflection, angle)
+    along_u, along_v = (np.maximum(a, _LEAST_ALONG * a.max()) for a in (bends.along_u, bends.along_v))
+    # 2 M du dv is at most M (|Su|/|Sv| du² + |Sv|/|Su| dv²)
+    uu, vv = bends.uu + bends.uv * along_u / along_v, bends.vv + bends.uv * along_v / along_u
+    over_u = steps_per_unit(uu, along_u, deflection, angle)
+    over_v = steps_per_unit(vv, along_v, deflection, angle)
     least = 1 / np.ptp(bends.u), 1 / np.ptp(bends.v)  # a step is no longer than the face
     du, dv = 1 / np.maximum(over_u.max(1), least[0]), 1 / np.maximum(over_v.max(0), least[1])
-    off = bends.uu * du[:, None] ** 2 + 2 * bends.uv * du[:, None] * dv + bends.vv * dv**2
+    off = uu * du[:, None] ** 2 + vv * dv**2
     finer = np.sqrt(max(1.0, float(off.max()) / (8 * deflection)))
     return np.maximum(over_u * finer, least[0]), np.maximum(over_v * finer, least[1])
 

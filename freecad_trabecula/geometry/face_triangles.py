@@ -41,7 +41,12 @@ _MOST = 60_000  # places at which one surface is looked at
 _CLEARANCE = 0.5173  # of a step, from the border to the nearest inner point; no grid has a tie there
 _SLENDER = 4.0  # greatest ratio of steps of a trimmed face in the plane of its parameters
 _LEAST_FACING = 0.3  # cosine of triangle and surface; less is a fold
-_EXCESS = 2.0  # deflections that triangles may be off
+_TRIMMED = 0.75  # of the deflection, for edges of equal triangles: their middle is 4/3 as far off a sphere
+_EXCESS = 4 / 3  # of that; an edge of a few may be so far off
+_ROUNDS = 3  # of finer steps inside one face
+_PROGRESS = 0.9  # of the distance before; steps that bring less end the rounds
+_FINER = (1.0, 0.5)  # parts of the deflection at which borders are sampled until all faces come out right
+_HAIR = 1e-4
 _LEAST_AREA = 0.95  # of the face; a part that turns away from the plane is missing
 _LEAST_RISE = 0.3  # cosine of normals with the plane a face is triangulated in
 
@@ -93,8 +98,14 @@ def solid_triangles(solid: Part.Shape, deflection: float, angle: float) -> Solid
     DependencyError
         If a face needs scipy, which is not installed.
     """
-    border = BorderSamples(solid, deflection, angle)
-    found = [_FaceTriangles(face, border, deflection, angle).triangles for face in solid.Faces]
+    for part in _FINER:
+        border = BorderSamples(solid, part * deflection, angle)
+        try:
+            found = [_FaceTriangles(face, border, deflection, angle).triangles for face in solid.Faces]
+            break
+        except KernelError:
+            if part == _FINER[-1]:
+                raise
     labels = np.repeat(np.arange(len(found)), [len(t) for t in found])
     triangles = np.concatenate(found)
     used, numbers = np.unique(triangles, return_inverse=True)
@@ -134,38 +145,47 @@ class _FaceTriangles:
     def _curved(self) -> np.ndarray:
         uses = self._uses()
         bends, breaks = self._bends()
-        densities = grid_densities(bends, self._deflection, self._angle)
         sides = self._sides(uses)
-        if sides is not None:
-            triangles, inner = self._grid(sides, bends, densities, breaks)
-        elif breaks[0] or breaks[1]:
+        if sides is None and (breaks[0] or breaks[1]):
             raise KernelError("a trimmed face must have no kink inside")
-        else:
-            plane = self._plane(uses)
-            densities = even_steps(bends, densities, _SLENDER if plane is None else 1.0)
-            if plane is None:
-                triangles, inner = self._in_parameters(uses, bends, densities)
+        plane = self._plane(uses) if sides is None else None
+        most = self._deflection * (1 if sides is not None else _TRIMMED)
+        over_u, over_v = grid_densities(bends, most, self._angle)
+        finer, before = 1.0, np.inf
+        for _ in range(_ROUNDS):
+            densities = over_u * finer, over_v * finer
+            if sides is not None:
+                triangles, inner = self._grid(sides, bends, densities, breaks)
+            elif plane is None:
+                triangles, inner = self._in_parameters(uses, bends, even_steps(bends, densities, _SLENDER))
             else:
-                triangles, inner = self._along_plane(plane, uses, bends, densities)
-        triangles = triangles[(triangles != np.roll(triangles, 1, 1)).all(1)]
-        self._check(triangles, uses, inner)
+                triangles, inner = self._along_plane(plane, uses, bends, even_steps(bends, densities, 1.0))
+            triangles = triangles[(triangles != np.roll(triangles, 1, 1)).all(1)]
+            off = self._distance(triangles, uses, inner)
+            if off <= most * (1 + _HAIR) or off > _PROGRESS * before:  # else the border's steps are what counts
+                break
+            finer, before = finer * float(np.clip(1.05 * np.sqrt(off / most), 1.1, 1.5)), off
+        if off > _EXCESS * most:
+            raise KernelError(f"triangles must lie within {self._deflection:.3g} mm of a face, got {off:.3g} mm")
         return triangles[:, ::-1] if self._sign < 0 else triangles
 
-    def _check(self, triangles: np.ndarray, uses: List[_Use], inner: _Inner) -> None:
-        """Refuse triangles that are off the surface or turned over, by the surface's normals at their corners."""
+    def _distance(self, triangles: np.ndarray, uses: List[_Use], inner: _Inner) -> float:
+        """Greatest distance (mm) of edges from the surface, by its normals at the corners.
+
+        Raises
+        ------
+        KernelError
+            If a triangle is turned over.
+        """
         numbers = np.concatenate([*(use.numbers for use in uses), inner.numbers])
         used, first = np.unique(numbers, return_index=True)
         at = np.concatenate([*(use.at for use in uses), inner.at])[first]
         normals = self._normals(at)[np.searchsorted(used, triangles)]
         corners = self._border.vertices[triangles]
-        smooth = (np.abs(normals).max(2) > 0).all(1)  # a pole has no normal
-        off = float(sagittas(corners, normals)[smooth].max(initial=0))
-        if off > _EXCESS * self._deflection:
-            raise KernelError(
-                f"triangles must lie within {_EXCESS * self._deflection:.3g} mm of a face, got {off:.3g} mm"
-            )
         if facing(corners, normals).min(initial=1) < _LEAST_FACING:
             raise KernelError("triangles of a face must not fold over")
+        smooth = (np.abs(normals).max(2) > 0).all(1)  # a pole has no normal
+        return float(sagittas(corners, normals)[smooth].max(initial=0))
 
     def _uses(self) -> List[_Use]:
         found = []

@@ -54,8 +54,8 @@ def tessellate(solid: Part.Shape, deflection: float = 0.0, angle: float = ANGULA
     ----------
     solid : Part.Shape
     deflection : float, mm
-        Distance of triangles from the solid; 0 chooses ``default_deflection``. Where the kernel makes them it may
-        exceed that: on a sphere 1.7 times (0.20.2).
+        Distance of triangles from the solid; 0 chooses ``default_deflection``. A few may be 4/3 of it off; the
+        kernel's, 1.7 times on a sphere (0.20.2).
     angle : float
         Greatest angle between neighbouring triangles of one face.
 
