@@ -6,13 +6,13 @@ from __future__ import annotations
 import json
 import typing
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
 from ...errors import ExportError, ParameterError
 from ..bodies import Check
-from ..progress import Progress, silent
+from ..progress import Progress, part, silent
 from ..stl import whole_file
 from .analysis import Analysis
 from .json_values import from_values, values_json
@@ -22,7 +22,7 @@ from .repair import Repairs
 from .report import KIND, SCHEMA, analysis_record
 from .report_text import analysis_markdown
 from .soundness import MeshFacts
-from .tables import contours_csv, profile_columns, profile_csv, read_contours
+from .tables import contour_columns, csv_blocks, profile_columns, profile_csv, read_contours
 
 REPORT, PAGE = "report.json", "report.md"
 
@@ -55,24 +55,32 @@ def save_analysis(
     folder = Path(folder)
     names: List[str] = []
     for number, (axis, profile) in enumerate(analysis.profiles.items()):
-        progress(number, len(analysis.profiles), f"writing the tables of {axis}")
-        texts = {
-            f"profile_{axis}.csv": profile_csv(profile),
-            f"contours_{axis}.csv": contours_csv(analysis.measures[axis], profile.coordinate),
-        }
-        for name, text in texts.items():
-            _write(folder / name, text)
+        step = part(progress, number / len(analysis.profiles), (number + 1) / len(analysis.profiles))
+        columns = contour_columns(analysis.measures[axis], profile.coordinate)
+        texts = {f"profile_{axis}.csv": [profile_csv(profile)], f"contours_{axis}.csv": csv_blocks(columns)}
+        for name, blocks in texts.items():
+            _write(folder / name, _reported(blocks, len(profile) + len(columns["layer"]), axis, step))
         names += texts
     sizes = {name: _size(folder / name) for name in (*names, *also)}
     record = analysis_record(analysis, checks, sizes, versions, notes)
-    _write(folder / PAGE, analysis_markdown(record))
-    _write(folder / REPORT, values_json(record))
+    _write(folder / PAGE, [analysis_markdown(record)])
+    _write(folder / REPORT, [values_json(record)])
     return record
 
 
-def _write(path: Path, text: str) -> None:
+def _write(path: Path, blocks: Iterable[str]) -> None:
     with whole_file(path) as file:
-        file.write(text.encode())
+        for text in blocks:
+            file.write(text.encode())
+
+
+def _reported(blocks: Iterable[str], lines: int, axis: str, progress: Progress) -> Iterator[str]:
+    """Yield blocks of lines, and report each."""
+    done = 0
+    for text in blocks:
+        progress(min(done, lines), max(lines, 1), f"writing the tables of {axis}")
+        done += text.count("\n")
+        yield text
 
 
 def _size(path: Path) -> int:

@@ -14,7 +14,7 @@ from freecad_trabecula.core.analysis.folder import load_analysis, save_analysis
 from freecad_trabecula.core.analysis.morphometry import measure
 from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.analysis.triangles import Soup
-from freecad_trabecula.errors import ExportError, ParameterError
+from freecad_trabecula.errors import Cancelled, ExportError, ParameterError
 
 
 def same(first, second):
@@ -111,3 +111,17 @@ def test_a_folder_that_was_tampered_with_is_refused(measured, tmp_path, tamper, 
 
 def cut(path, lines):
     path.write_text("\n".join(path.read_text().splitlines()[:lines]) + "\n")
+
+
+def test_saving_reports_its_progress_and_can_be_stopped(measured, tmp_path):
+    shares = []
+    save_analysis(measured, tmp_path, progress=lambda done, total, what: shares.append(done / total))
+    assert shares == sorted(shares) and 0 <= shares[0] and shares[-1] <= 1
+
+    def stop(done, total, what):
+        raise Cancelled("stopped")
+
+    (tmp_path / "new").mkdir()
+    with pytest.raises(Cancelled):
+        save_analysis(measured, tmp_path / "new", progress=stop)
+    assert list((tmp_path / "new").iterdir()) == []
