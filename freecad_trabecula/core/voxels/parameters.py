@@ -40,7 +40,7 @@ class VoxelParameters:
     """Everything that, with the targets and the mask, makes a voxel design (thesis chapter 6)."""
 
     size: Triple = _f((0.1, 0.1, 0.1), "mm", "Edges dx, dy, dz of a voxel; one number makes a cube")
-    strategy: str = _f("trabecular", "", "How the layers are filled")
+    strategy: str = _f("trabecular", "", "How the layers are filled", choices=strategy_names())
     seed: int = _f(1, "", "One number reproduces all random draws")
 
     areas: str = _f("middle", "", "Targets from sections through the middles of the layers (Eq. 6.1), or from the "
@@ -84,8 +84,6 @@ class VoxelParameters:
         for length in self.wavelength:
             require(length >= 0, "a wavelength must be 0 (fitted) or more", f"{length:g}", "mm")
         check_seed(self.seed)
-        names = strategy_names()
-        require(self.strategy in names, f"the strategy must be one of {', '.join(names)}", repr(self.strategy))
         for spec in self.__dataclass_fields__.values():
             _check_field(spec.name, getattr(self, spec.name), spec.metadata)
 

@@ -12,6 +12,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ...errors import ExportError, MeshError, ParameterError
+from ..analysis.analysis import Analysis
 from ..analysis.folder import load_analysis
 from ..analysis.slices import sliced_areas
 from ..analysis.triangles import read_soup
@@ -114,16 +115,32 @@ def read_mask(path: Union[str, Path], targets: Targets, boundary: str, progress:
         If the file cannot be read, is of another shape, or no cell is inside.
     """
     path = Path(path)
-    if path.suffix.lower() == ".npy":
-        mask = read_npy(path) > 0
-        require(mask.shape == targets.shape, f"the mask must have the shape {targets.shape}", mask.shape)
-    else:
-        fine = 1 if boundary == "half" else 3
-        size, layers = (np.asarray(targets.voxel) / fine, tuple(fine * n for n in targets.layers))
-        points = _voxelised(read_triangles(path), np.asarray(targets.origin), layers, size, progress)
-        points = points.reshape([k for n in targets.shape for k in (n, fine)])
-        mask = points.any((1, 3, 5)) if boundary == "touched" else points.all((1, 3, 5))
-    require(bool(mask.any()), f"a mask must have at least one cell; {path.name} has in the targets' box", 0, "cells")
+    if path.suffix.lower() != ".npy":
+        return mask_of_triangles(read_triangles(path), targets, boundary, progress, path.name)
+    mask = read_npy(path) > 0
+    require(mask.shape == targets.shape, f"the mask must have the shape {targets.shape}", mask.shape)
+    return _some_cells(mask, path.name)
+
+
+def mask_of_triangles(
+    triangles: np.ndarray, targets: Targets, boundary: str, progress: Progress = silent, name: str = "it"
+) -> np.ndarray:
+    """Return the cells of the targets that lie in a closed mesh, (P, M, N) bool; ``boundary`` as for ``read_mask``.
+
+    Raises
+    ------
+    ParameterError
+        If the mesh is not closed, or no cell is inside.
+    """
+    fine = 1 if boundary == "half" else 3
+    size, layers = (np.asarray(targets.voxel) / fine, tuple(fine * n for n in targets.layers))
+    points = _voxelised(triangles, np.asarray(targets.origin), layers, size, progress)
+    points = points.reshape([k for n in targets.shape for k in (n, fine)])
+    return _some_cells(points.any((1, 3, 5)) if boundary == "touched" else points.all((1, 3, 5)), name)
+
+
+def _some_cells(mask: np.ndarray, name: str) -> np.ndarray:
+    require(bool(mask.any()), f"a mask must have at least one cell; {name} has in the targets' box", 0, "cells")
     return mask
 
 
@@ -192,6 +209,11 @@ def mean_thickness(triangles: np.ndarray) -> float:
 
 
 def targets_of_analysis(folder: Union[str, Path], parameters: VoxelParameters) -> Targets:
+    """Return the targets of the analysis in a folder; errors are those of ``targets_of_profiles``."""
+    return targets_of_profiles(load_analysis(folder), parameters)
+
+
+def targets_of_profiles(analysis: Analysis, parameters: VoxelParameters) -> Targets:
     """Return the targets of an analysis along X, Y and Z whose layers are as thick as the voxels (thesis 6.2.1).
 
     Raises
@@ -199,13 +221,12 @@ def targets_of_analysis(folder: Union[str, Path], parameters: VoxelParameters) -
     ParameterError
         If an axis is missing, or its layers are not as thick as the voxels.
     """
-    analysis = load_analysis(folder)
     areas, counts = [], []
     for axis, size in zip(AXES, parameters.size):
         require(
             axis in analysis.profiles,
-            f"an analysis along X, Y and Z is needed; {folder} has",
-            sorted(analysis.profiles),
+            f"an analysis along X, Y and Z is needed; {analysis.name} has",
+            ", ".join(sorted(analysis.profiles)),
         )
         profile = analysis.profiles[axis]
         _check_thickness(profile.thickness, size, axis, len(profile.sliced_area))
