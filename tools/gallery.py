@@ -18,10 +18,13 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 import run as tests  # noqa: E402  the folder comes first
 
-PARTS = ("panels", "case1", "case2", "case3", "case4", "case5", "case6", "prism420", "cranial", "femur")
+PARTS = (
+    *("panels", "analysis", "dark", "case1", "case2", "case3", "case4", "case5", "case6"),
+    *("prism420", "cranial", "femur"),
+)
 #: Pictures that the pages show.
 IN_DOCS = ("design-sites", "design-pores", "design-couplings", "results-figures", "edit-site", "cranial-preview",
-           "case6-scaffold", "cranial-scaffold")  # fmt: skip
+           "case6-scaffold", "cranial-scaffold", "analysis-areas", "analysis-compared")  # fmt: skip
 TIMEOUT = 900  # s a part
 
 
@@ -37,16 +40,14 @@ def read_arguments():
 def take(part, folder, facts):
     """Take the pictures of one part in a window of its own; return whether all went well."""
     home, log = tests.make_home(facts), folder / ("%s.log" % part)
-    environment = dict(
-        tests.test_environment(facts, folder),
-        FREECAD_USER_HOME=str(home),
-        TRABECULA_GALLERY=json.dumps({"part": part, "folder": str(folder)}),
-    )
     script = str(ROOT / "tools" / "gallery_window.py")
     command = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24 -dpi 96", "freecad", script]
     started = time.time()
     try:
-        status = tests.run_process(command, environment, log, TIMEOUT)
+        for step in ("theme", part) if part == "dark" else (part,):
+            choice = json.dumps({"part": step, "folder": str(folder)})
+            environment = dict(tests.test_environment(facts, folder), FREECAD_USER_HOME=str(home))
+            status = tests.run_process(command, dict(environment, TRABECULA_GALLERY=choice), log, TIMEOUT)
     finally:
         shutil.rmtree(str(home), ignore_errors=True)
     text = log.read_text(encoding="utf-8", errors="replace")

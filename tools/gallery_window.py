@@ -201,13 +201,89 @@ def take_installer():
     take_dialog("install", InstallDialog(FreeCADGui.getMainWindow(), text))
 
 
+def take_analysis():
+    """Picture slice analyses: of bone, if there is some, else of a scaffold; of a design's rods; both compared."""
+    from freecad_trabecula.gui import panels
+    from freecad_trabecula.gui.analysis_dock import dock_of_window
+    from freecad_trabecula.gui.analysis_plots import KINDS
+
+    panel = open_preset("case6")
+    build(panel, "network").reject()
+    bone = Path(os.environ.get("TRABECULA_DATA", "")) / "trab_ior_10mm_13MB.stl"
+    view().viewIsometric()
+    view().fitAll()
+    FreeCADGui.runCommand("Trabecula_Analysis")
+    panel = panels.current()
+    if bone.is_file():
+        panel.fields.set_file(str(bone))
+    panel.analyse()
+    wait(lambda: panel.build_bar.bar.value() > 100 or panel._work is None, 60)
+    shoot("analysis-working")
+    wait(lambda: panel._work is None, 300)
+    wait(seconds=1.0)
+    panel.fields.sections.open(2)
+    shoot("analysis-panel")
+    panel.reject()
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, "Network")
+    FreeCADGui.runCommand("Trabecula_AnalyseNow")
+    dock = dock_of_window()
+    wait(lambda: len(dock.objects()) > 1 and len(dock.ticked()) == 1, 300)
+    wait(lambda: dock.view.slice is not None, 60)
+    for number, (kind, _) in enumerate(KINDS):
+        dock.tabs.setCurrentIndex(number)
+        dock.show_plane(20 + 10 * number)
+        shoot("analysis-" + kind)
+    dock.tabs.setCurrentIndex(len(KINDS))
+    shoot("analysis-numbers")
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.runCommand("Trabecula_Compare")
+    wait(lambda: dock.view.slice is not None, 60)
+    for number, name in ((0, "compared"), (4, "difference"), (len(KINDS), "passport")):
+        dock.tabs.setCurrentIndex(number)
+        shoot("analysis-" + name)
+
+
+def take_dark():
+    """Picture some panels with a dark theme of FreeCAD's own."""
+    from freecad_trabecula import make
+    from freecad_trabecula.gui.analysis_dock import show_analyses
+
+    panel = open_preset("case6")
+    shoot("dark-design")
+    report = build(panel, "network")
+    report.sections.open(2)
+    shoot("dark-results")
+    report.sections.open(1)
+    shoot("dark-checks")
+    report.reject()
+    document = FreeCAD.ActiveDocument
+    obj = make.make_analysis(document, document.getObject("Network"))
+    for axis in "xyz":
+        make.contours_of(obj, axis)
+    dock = show_analyses([obj])
+    wait(seconds=0.5)
+    shoot("dark-analysis")
+    dock.tabs.setCurrentIndex(4)
+    shoot("dark-heat")
+
+
+def choose_dark_theme():
+    """Have FreeCAD start with a dark theme of its own the next time."""
+    settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow")
+    settings.SetString("StyleSheet", "FreeCAD.qss" if FreeCAD.Version()[0] != "0" else "Behave-dark.qss")
+    settings.SetString("Theme", "FreeCAD Dark")
+    FreeCAD.saveParameter()
+
+
 def main():
     """Take the pictures and end FreeCAD."""
     output = open(1, "w", encoding="utf-8", errors="replace", buffering=1, closefd=False)  # noqa: SIM115
     status = 1
     try:
-        arrange()
-        take_panels() if CHOICE["part"] == "panels" else take_design(CHOICE["part"])
+        if CHOICE["part"] != "theme":
+            arrange()
+        others = {"panels": take_panels, "analysis": take_analysis, "dark": take_dark, "theme": choose_dark_theme}
+        others.get(CHOICE["part"], lambda: take_design(CHOICE["part"]))()
         status = 0
     except SystemExit as stop:
         print(stop, file=output)

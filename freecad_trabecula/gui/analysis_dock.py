@@ -27,7 +27,7 @@ from .view_providers import type_of
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaAnalysisDock"
 KIND = "Trabecula::Analysis"
-_HEIGHT = 330  # pixels
+_HEIGHT, _LIST = 330, 170  # pixels: of the dock, of its list's width
 
 
 class AnalysisDock(QtGui.QDockWidget):
@@ -43,11 +43,14 @@ class AnalysisDock(QtGui.QDockWidget):
         self._slice_plane: Optional[SlicePlane] = None
         self._observing = False
         self.list = QtGui.QListWidget()
-        self.list.setMaximumWidth(190)
+        self.list.setIconSize(QtCore.QSize(16, 16))
+        self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.list.setTextElideMode(QtCore.Qt.ElideRight)
         self.list.itemChanged.connect(lambda *_: self.refresh())
         self.axes = row_widget()
         self.charts = {kind: Chart() for kind, _ in KINDS}
         self.figures = table(4)
+        self.figures.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         self.view, self.number = SliceView(), QtGui.QSpinBox()
         self._wait = QtCore.QTimer(self)
         self._wait.setSingleShot(True)
@@ -69,11 +72,12 @@ class AnalysisDock(QtGui.QDockWidget):
         column.setContentsMargins(0, 0, 0, 0)
         for widget in (self.list, self.axes, self.number):
             column.addWidget(widget)
-        left.setMaximumWidth(190)
+        left.setMaximumWidth(_LIST)
         split = QtGui.QSplitter()
         for widget, stretch in ((left, 0), (self.tabs, 3), (self.view, 2)):
             split.addWidget(widget)
             split.setStretchFactor(split.count() - 1, stretch)
+        split.setSizes([_LIST, 600, 400])
         return split
 
     def sizeHint(self) -> Any:
@@ -103,7 +107,7 @@ class AnalysisDock(QtGui.QDockWidget):
         for obj in every:
             item = QtGui.QListWidgetItem(icon("Trabecula_analysis"), obj.Label)
             item.setData(QtCore.Qt.UserRole, obj.Name)
-            item.setToolTip(obj.Status)
+            item.setToolTip(f"{obj.Label}: {obj.Status}")
             item.setCheckState(QtCore.Qt.Checked if obj.Name in names else QtCore.Qt.Unchecked)
             self.list.addItem(item)
         self.list.blockSignals(False)
@@ -321,7 +325,9 @@ def dock_of_window() -> AnalysisDock:
     """Return the window's dock, made when it is first asked for."""
     if not _docks:
         _docks.append(AnalysisDock())
-        FreeCADGui.getMainWindow().addDockWidget(QtCore.Qt.BottomDockWidgetArea, _docks[0])
+        window = FreeCADGui.getMainWindow()
+        window.setCorner(QtCore.Qt.BottomLeftCorner, QtCore.Qt.LeftDockWidgetArea)  # task panels keep their height
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, _docks[0])
         _docks[0].hide()
     return _docks[0]
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, List, NamedTuple, Sequence, Tuple
 
 import FreeCAD
@@ -17,6 +18,7 @@ from .chart import Counts, Curve, Diagram
 
 translate = FreeCAD.Qt.translate
 _GREY = "#999999"
+_MOST_LETTERS = 24  # of a name in a diagram
 #: Kinds of diagrams: key, title of the tab.
 KINDS = (
     ("sliced_area", translate("Trabecula", "Sliced area")),
@@ -111,7 +113,7 @@ def _heat_map(analysis: Analysis, axis: str, across: str) -> Diagram:
     rows = measures.area > 0
     x, y = coordinate_edges(profile), area_edges(measures.area[rows])
     counts = np.histogram2d(profile.coordinate[measures.plane[rows]], measures.area[rows], bins=(x, y))[0]
-    label = translate("Trabecula", "area of outer contours, mm²: how many, from few (dark) to many (light)")
+    label = translate("Trabecula", "area of outer contours, mm² (light: many)")
     return Diagram(across, label, (), Counts(x, y, counts), is_log=True)
 
 
@@ -154,6 +156,10 @@ def number_text(value: float) -> str:
 # ------------------------------------------------------------------------------------------------- a comparison
 
 
+def _short(name: str) -> str:
+    return name if len(name) <= _MOST_LETTERS else name[: _MOST_LETTERS - 1] + "…"
+
+
 def comparison_of(analyses: Sequence[Analysis], names: Sequence[str]) -> Comparison:
     """Return analyses laid side by side under the names of their objects.
 
@@ -162,9 +168,7 @@ def comparison_of(analyses: Sequence[Analysis], names: Sequence[str]) -> Compari
     ParameterError
         If they have nothing in common.
     """
-    from dataclasses import replace
-
-    return compare([replace(analysis, name=name) for analysis, name in zip(analyses, names)])
+    return compare([replace(analysis, name=_short(name)) for analysis, name in zip(analyses, names)])
 
 
 def compared_diagram(comparison: Comparison, analyses: Sequence[Analysis], kind: str, axis: str) -> Diagram:

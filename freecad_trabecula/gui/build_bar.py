@@ -41,8 +41,8 @@ class BuildBar(QtGui.QWidget):
         self.boxes = {}
         self._estimate = ""
         self._choice, self._work = row_widget(), row_widget()
-        for kind, text, chosen in kinds:
-            box = QtGui.QCheckBox(text)
+        for kind, words, chosen in kinds:
+            box = QtGui.QCheckBox(words)
             box.setChecked(chosen)
             self.boxes[kind] = box
             self._choice.layout().addWidget(box)

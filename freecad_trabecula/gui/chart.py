@@ -13,6 +13,8 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from PySide import QtCore, QtGui
 
+from .qt import ink_on
+
 _LEFT, _RIGHT, _TOP, _BOTTOM = 58, 12, 22, 34  # pixels around the axes
 _TICKS = 6  # about so many along an axis
 #: Few to many: Viridis without its darkest end (BSD, van der Walt, Smith).
@@ -191,7 +193,8 @@ class Chart(QtGui.QWidget):
         self._paint_legend(painter, box)
 
     def _paint_axes(self, painter: Any, box: Any) -> None:
-        ink, paper = (self.palette().color(role) for role in (QtGui.QPalette.Text, QtGui.QPalette.Base))
+        paper = self.palette().color(QtGui.QPalette.Base)
+        ink = ink_on(paper)
         grid = QtGui.QColor(*((7 * p + i) // 8 for p, i in zip(paper.getRgb()[:3], ink.getRgb()[:3])))
         centre, right = QtCore.Qt.AlignCenter, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
         for share, text in self._axes[0].ticks():
@@ -250,7 +253,7 @@ class Chart(QtGui.QWidget):
 
     def _paint_legend(self, painter: Any, box: Any) -> None:
         """Names of the curves above the axes, from the right, as many as have room."""
-        ink, x = self.palette().color(QtGui.QPalette.Text), box.right()
+        ink, x = ink_on(self.palette().color(QtGui.QPalette.Base)), box.right()
         least = painter.fontMetrics().boundingRect(self.diagram.y_label).width() + 16
         for curve in reversed([one for one in self.diagram.curves if one.label]):
             width = painter.fontMetrics().boundingRect(curve.label).width()

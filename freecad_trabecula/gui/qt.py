@@ -109,6 +109,11 @@ def small_button(name: str, tip: str, pressed: Any, text: str = "", checkable: b
     return button
 
 
+def ink_on(paper: Any) -> Any:
+    """Return a colour for lines and texts that can be read on another; a style sheet's palette may not fit itself."""
+    return QtGui.QColor(235, 235, 235) if paper.lightness() < 128 else QtGui.QColor(25, 25, 25)
+
+
 def invoke_later(function: Any, milliseconds: int = 0) -> None:
     """Call a function when the event loop is free again."""
     QtCore.QTimer.singleShot(milliseconds, function)

@@ -10,6 +10,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from ..core.analysis.parameters import axis_frame
+from .qt import ink_on
 
 #: Okabe and Ito's blue and vermilion, as in ``core.analysis.plots``.
 ROD, PLATE = "#0072B2", "#D55E00"
@@ -59,7 +60,8 @@ class SliceView(QtGui.QWidget):
         """Paint box, contours from the largest to the smallest, words."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        paper, ink = (self.palette().color(role) for role in (QtGui.QPalette.Base, QtGui.QPalette.Text))
+        paper = self.palette().color(QtGui.QPalette.Base)
+        ink = ink_on(paper)
         painter.fillRect(self.rect(), paper)
         painter.setPen(ink)
         if self.slice is None:
