@@ -61,9 +61,13 @@ def contour_parents(polygons: Polygons) -> np.ndarray:
     """
     parent = np.full(len(polygons.plane), -1, np.int64)
     inner, outer = np.zeros(len(parent), bool), np.zeros(len(parent), bool)
+    low, high = polygons.low, polygons.high
     for a, b in _pairs_of_opposite_sign(polygons):
-        within = ((polygons.low[:, b] <= polygons.low[:, a]) & (polygons.high[:, a] <= polygons.high[:, b])).all(0)
-        inner[a[within]] = outer[b[within]] = True
+        low_a, low_b, high_a, high_b = low[:, a], low[:, b], high[:, a], high[:, b]
+        for one, other, within in ((a, b, (low_b <= low_a) & (high_a <= high_b)),
+                                   (b, a, (low_a <= low_b) & (high_b <= high_a))):  # fmt: skip
+            found = np.flatnonzero(within[0] & within[1])
+            inner[one[found]] = outer[other[found]] = True
     if not inner.any():
         return parent
     rays, hosts = _rays(polygons, np.flatnonzero(inner)), np.flatnonzero(outer)
@@ -85,7 +89,7 @@ def contour_parents(polygons: Polygons) -> np.ndarray:
 
 
 def _pairs_of_opposite_sign(polygons: Polygons) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
-    """All pairs of a hole and an outer polygon of the same plane, both ways round, some at a time."""
+    """All pairs of a hole and an outer polygon of the same plane, some at a time."""
     holes = np.flatnonzero(polygons.area < 0)
     first = np.searchsorted(polygons.plane, polygons.plane[holes], "left")
     number = np.searchsorted(polygons.plane, polygons.plane[holes], "right") - first
@@ -97,9 +101,7 @@ def _pairs_of_opposite_sign(polygons: Polygons) -> Iterator[Tuple[np.ndarray, np
         hole = np.repeat(holes[begin:stop], size)
         other = np.arange(len(hole)) + np.repeat(first[begin:stop] - np.cumsum(size) + size, size)
         solid = polygons.area[other] > 0
-        hole, other = hole[solid], other[solid]
-        yield hole, other
-        yield other, hole
+        yield hole[solid], other[solid]
         begin = stop
 
 

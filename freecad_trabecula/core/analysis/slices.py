@@ -31,7 +31,18 @@ _CROWDED = 8  # planes in one cell of the table of levels: then a search is fast
 SIDES = ("below", "above")
 
 
-class Pieces(NamedTuple):
+class _Cut(NamedTuple):
+    """Triangles that planes cut (K,): planes below the lowest, middle, highest corner; which are lowest and highest."""
+
+    triangle: np.ndarray
+    low: np.ndarray
+    middle: np.ndarray
+    high: np.ndarray
+    lowest: np.ndarray
+    highest: np.ndarray
+
+
+class _Pieces(NamedTuple):
     """Triangles that planes cut (M,): half-edges that fall and rise, first plane, number of planes."""
 
     fall: np.ndarray
@@ -83,7 +94,8 @@ def sliced_areas(triangles: np.ndarray, axis: str, heights: np.ndarray, side: st
     heights, corners = _checked(heights, side), placed(triangles, axis)
     count, areas = len(corners.height) // 3, np.zeros(len(heights))
     middle = [float(c.min() + (c.max() - c.min()) / 2) for c in (corners.first, corners.second)]
-    for pieces in _pieces(corners.height, heights, side, progress):
+    for cut in _cut_triangles(corners.height, heights, side, progress):
+        pieces = _pieces(cut, count, 0, len(heights))
         of, plane = _nodes(pieces.first, pieces.count)
         height = heights[plane]
         u, v = _crossings(corners, next_corner(pieces.fall, count), pieces.fall, of, height)
@@ -110,24 +122,13 @@ def slice_contours(triangles: np.ndarray, axis: str, heights: np.ndarray, progre
     """
     heights, corners = _checked(heights, side), placed(triangles, axis)
     partners = partners_of(triangles, partners, part(progress, 0.0, 0.2))
-    found = list(_pieces(corners.height, heights, side, part(progress, 0.2, 0.4)))
-    pieces = Pieces(*(np.concatenate(column) for column in zip(*found))) if found else _NO_PIECES
-    del found
-    sizes = np.zeros(len(heights) + 1, np.int64)  # nodes of each plane
-    np.add.at(sizes, pieces.first, 1)
-    np.subtract.at(sizes, pieces.first + pieces.count, 1)
-    sizes = np.cumsum(sizes)[:-1]
+    cut = _joined_cuts(list(_cut_triangles(corners.height, heights, side, part(progress, 0.2, 0.4))))
     base, blocks, report = np.zeros(len(partners) // 3, np.int32), [], part(progress, 0.4, 1.0)
-    for low, high in _blocks(sizes):
-        start, stop = np.maximum(pieces.first, low), np.minimum(pieces.first + pieces.count, high)
-        some = np.flatnonzero(stop > start)
-        mine = Pieces(pieces.fall[some], pieces.rise[some], start[some], (stop - start)[some])
-        blocks.append(_block(corners, partners, heights, mine, base))
+    for low, high, some in _blocks(cut, len(heights)):
+        pieces = _pieces(_Cut(*(column[some] for column in cut)), len(base), low, high)
+        blocks.append(_block(corners, partners, heights, pieces, base))
         report(high, len(heights), f"slicing along {axis}")
     return _joined(axis_name(axis), heights, blocks)
-
-
-_NO_PIECES = Pieces(*(np.zeros(0, np.int32) for _ in range(4)))
 
 
 def _checked(heights: np.ndarray, side: str) -> np.ndarray:
@@ -139,14 +140,27 @@ def _checked(heights: np.ndarray, side: str) -> np.ndarray:
     return heights
 
 
-def _blocks(sizes: np.ndarray) -> Iterator[Tuple[int, int]]:
-    """Ranges of planes with about ``_NODES`` nodes each, one plane at least."""
-    ends, low = np.cumsum(sizes), 0
-    while low < len(sizes):
-        before = ends[low - 1] if low else 0
-        high = max(low + 1, int(np.searchsorted(ends, before + _NODES, "right")))
-        yield low, high
-        low = high
+def _joined_cuts(cuts: List[_Cut]) -> _Cut:
+    if not cuts:
+        return _Cut(*(np.zeros(0, np.int32) for _ in _Cut._fields))
+    return _Cut(*(np.concatenate(column) for column in zip(*cuts)))
+
+
+def _blocks(cut: _Cut, planes: int) -> Iterator[Tuple[int, int, np.ndarray]]:
+    """Ranges of planes with about ``_NODES`` nodes each, one plane at least; and which triangles they cut."""
+    starting, ending = (np.bincount(level, minlength=planes + 1) for level in (cut.low, cut.high))
+    ends, bounds = np.cumsum(np.cumsum(starting - ending)), [0]  # nodes up to each plane
+    while bounds[-1] < planes:
+        done = ends[bounds[-1] - 1] if bounds[-1] else 0
+        bounds.append(min(max(bounds[-1] + 1, int(np.searchsorted(ends, done + _NODES, "right"))), planes))
+    block = np.repeat(np.arange(len(bounds) - 1), np.diff(bounds))
+    kind = np.int16 if len(bounds) < 2**15 else np.int32  # short numbers are sorted by counting
+    order = np.argsort(block.astype(kind)[cut.low], kind="stable").astype(np.int32) if planes else cut.low
+    first = np.append(0, np.cumsum(starting))[bounds]
+    some = np.zeros(0, np.int32)
+    for k, (low, high) in enumerate(zip(bounds[:-1], bounds[1:])):
+        some = np.append(some[cut.high[some] > low], order[first[k] : first[k + 1]])
+        yield low, high, some
 
 
 # ----------------------------------------------------------------------------------------------------------- pieces
@@ -185,34 +199,38 @@ def _levels(height: np.ndarray, bounds: np.ndarray) -> np.ndarray:
         level += climbs
 
 
-def _pieces(height: np.ndarray, heights: np.ndarray, side: str, progress: Progress) -> Iterator[Pieces]:
-    """Pieces of the triangles, some thousand triangles at once, in their order.
-
-    A triangle has up to two, one after the other: planes with only its lowest corner below them, then planes with only
-    its highest one above them.
-    """
+def _cut_triangles(height: np.ndarray, heights: np.ndarray, side: str, progress: Progress) -> Iterator[_Cut]:
+    """Triangles that planes cut, of some thousand triangles at a time, in their order."""
     if not len(heights):
         return
     bounds, count = _bounds(heights, side, height.dtype), len(height) // 3
     height = height.reshape(3, count)
-    before = np.array([2, 0, 1], np.int32) * np.int32(count)  # half-edge that ends at each corner
-    starts = np.arange(3, dtype=np.int32) * np.int32(count)
     for begin in range(0, count, _CHUNK):
         level = _levels(height[:, begin : begin + _CHUNK], bounds)
-        cut = np.flatnonzero((level[0] != level[1]) | (level[1] != level[2]))
+        cut = np.flatnonzero((level[0] != level[1]) | (level[1] != level[2])).astype(np.int32)
         a, b, c = level[:, cut]
         low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-        middle = a + b + c - low - high
-        lowest = np.where(a == low, 0, np.where(b == low, 1, 2))
-        highest = np.where(a == high, 0, np.where(b == high, 1, 2))
-        triangle = (cut + begin).astype(np.int32)
-        fall = np.stack([before[lowest] + triangle, starts[highest] + triangle], 1).ravel()
-        rise = np.stack([starts[lowest] + triangle, before[highest] + triangle], 1).ravel()
-        first, planes = np.stack([low, middle], 1).ravel(), np.stack([middle - low, high - middle], 1).ravel()
-        some = np.flatnonzero(planes)
+        lowest = np.where(a == low, 0, np.where(b == low, 1, 2)).astype(np.int8)
+        highest = np.where(a == high, 0, np.where(b == high, 1, 2)).astype(np.int8)
         if begin // _CHUNK % 8 == 0:
             progress(begin, count, "cutting triangles")
-        yield Pieces(fall[some], rise[some], first[some], planes[some])
+        yield _Cut(cut + np.int32(begin), low, a + b + c - low - high, high, lowest, highest)
+
+
+def _pieces(cut: _Cut, count: int, first: int, last: int) -> _Pieces:
+    """Pieces of triangles on the planes ``first`` up to ``last``; ``count`` triangles in all.
+
+    A triangle has up to two, one after the other: planes with only its lowest corner below them, then planes with only
+    its highest one above them.
+    """
+    low, middle, high = (np.clip(level, first, last) for level in (cut.low, cut.middle, cut.high))
+    starts = np.arange(3, dtype=np.int32) * np.int32(count)
+    before = starts[[2, 0, 1]]  # half-edges that end at each corner
+    fall = np.stack([before[cut.lowest] + cut.triangle, starts[cut.highest] + cut.triangle], 1).ravel()
+    rise = np.stack([starts[cut.lowest] + cut.triangle, before[cut.highest] + cut.triangle], 1).ravel()
+    begin, planes = np.stack([low, middle], 1).ravel(), np.stack([middle - low, high - middle], 1).ravel()
+    some = np.flatnonzero(planes)
+    return _Pieces(fall[some], rise[some], begin[some], planes[some])
 
 
 def _nodes(first: np.ndarray, count: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
@@ -245,7 +263,7 @@ class _Block(NamedTuple):
     closed: np.ndarray
 
 
-def _block(corners: Placed, partners: np.ndarray, heights: np.ndarray, pieces: Pieces, base: np.ndarray) -> _Block:
+def _block(corners: Placed, partners: np.ndarray, heights: np.ndarray, pieces: _Pieces, base: np.ndarray) -> _Block:
     """Contours of the planes that these pieces reach; ``base`` (T,) is working space.
 
     The nodes of a triangle follow each other, so that node = base[triangle] + plane; the node after one is its
