@@ -234,7 +234,7 @@ def test_real_bone_is_analysed_and_its_crossing_facets_are_said(tmp_path):
     assert "trab_ior_10mm_13MB" in text
     report = report_of(tmp_path / "out")
     assert report["mesh"]["volume"] == pytest.approx(193.3, abs=0.1)
-    assert "facets run through others" in done.stdout
+    assert "225 facets through others" in done.stdout
     for axis in "xyz":
         assert report["axes"][axis]["summary"]["mean_bone_fraction"] == pytest.approx(0.19, abs=0.002)
 
@@ -305,7 +305,7 @@ def test_facets_without_area_spoil_nothing_and_are_said(tmp_path):
     (tmp_path / "a.stl").write_bytes(binary_stl(np.concatenate([cube_corners, [needle]])))
     done = analyse(tmp_path / "a.stl", "--thickness", 1, *FEW, "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
-    assert "1 facets have no area" in done.stdout
+    assert "1 facet without area" in done.stdout
 
 
 def test_a_mesh_thinner_than_a_layer_is_cut_once(tmp_path):

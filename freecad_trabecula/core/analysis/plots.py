@@ -226,7 +226,7 @@ def _difference_figure(comparison: Comparison, quantity: str) -> Any:
             axes.label_outer()
         grid[1, column].set_xlabel(_distance(shared.axis, comparison.alignment))
         grid[0, column].set_title(f"along {_title(shared.axis)}")
-    grid[0, 0].legend(frameon=False)
+    _legend_of_all(figure, grid[0, 0])
     return figure
 
 
@@ -276,7 +276,7 @@ def _heat_map_figure(comparison: Comparison, analyses: Sequence[Analysis]) -> An
     for axes in grid.ravel():
         axes.grid(color="0.92", linewidth=0.6)
         axes.set_axisbelow(True)
-    _plain_numbers(figure.colorbar(meshes[0], ax=grid, label="contours a bin").ax.yaxis)
+    _plain_numbers(figure.colorbar(meshes[0], ax=grid, label="contours a bin", aspect=40).ax.yaxis)
     return figure
 
 
@@ -318,6 +318,13 @@ def _finish(axes: Any, across: str, up: str) -> None:
 def _legend_above(axes: Any, **more: Any) -> None:
     """Put the legend over the right end of a diagram, where it hides nothing; the title stands at the left."""
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False, ncol=4, borderpad=0.2, **more)
+
+
+def _legend_of_all(figure: Any, axes: Any) -> None:
+    """Put one legend over all diagrams, in the room of an empty title, three names in a line."""
+    handles, labels = axes.get_legend_handles_labels()
+    figure.suptitle("\n" * ((len(labels) - 1) // 3) + " ", fontsize="x-large")
+    figure.legend(handles, labels, loc="upper center", ncol=min(len(labels), 3), frameon=False)
 
 
 def _plain_numbers(axis: Any) -> None:

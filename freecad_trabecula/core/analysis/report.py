@@ -94,11 +94,11 @@ def analysis_faults(analysis: Analysis) -> Tuple[str, ...]:
     facts, faults = analysis.facts, []
     if facts is not None:
         counts = (
-            (facts.open_edges, "open edges: the mesh is not watertight"),
-            (facts.flipped, "facets turned against their neighbours"),
-            (facts.duplicates, "facets that are there twice: their material counts twice"),
+            (facts.open_edges, "open edge", ": the mesh is not watertight"),
+            (facts.flipped, "facet", " turned against the neighbours"),
+            (facts.duplicates, "facet", " there twice: the material counts twice"),
         )
-        faults += [f"{count} {words}" for count, words in counts if count]
+        faults += [counted(count, one) + words for count, one, words in counts if count]
         if facts.is_closed and facts.volume <= 0:
             faults.append(f"the mesh is inside out, or flat: its volume is {facts.volume:.6g} mm3")
     for axis, profile in analysis.profiles.items():
@@ -117,11 +117,11 @@ def analysis_notes(analysis: Analysis) -> Tuple[str, ...]:
         if facts.self_intersecting > 0:
             rule = {"winding": "counts as often as it overlaps", "union": "counts once"}[analysis.parameters.fill]
             notes.append(
-                f"{facts.self_intersecting} facets run through others: what overlaps {rule} (fill rule "
+                f"{counted(facts.self_intersecting, 'facet')} through others: what overlaps {rule} (fill rule "
                 f"'{analysis.parameters.fill}')"
             )
         if facts.degenerate:
-            notes.append(f"{facts.degenerate} facets have no area; they spoil no slice")
+            notes.append(f"{counted(facts.degenerate, 'facet')} without area: no slice is spoilt by that")
     for axis, profile in analysis.profiles.items():
         notes += _axis_notes(analysis, axis, profile)
     notes += list(getattr(analysis.morphometry, "notes", ()))
@@ -136,26 +136,31 @@ def _axis_notes(analysis: Analysis, axis: str, profile: Profile) -> List[str]:
     least = analysis.parameters.least_area
     small = int((np.abs(analysis.measures[axis].area) <= least).sum())
     if small:
-        notes.append(f"along {axis} {small} contours of at most {least:g} mm2 are not counted")
+        notes.append(f"along {axis} {counted(small, 'contour')} of at most {least:g} mm2 left out of all counts")
     if not profile.sliced_area.any():
         notes.append(f"along {axis} no slice has any area")
     if repairs is not None:
         words = {
-            "gaps_filled": "gaps were filled",
-            "gaps_bridged": f"gaps wider than {analysis.parameters.gap:g} mm were bridged",
-            "removed_open": "open contours were left out by the filter",
-            "removed_closed": "closed contours were left out by the filter",
-            "points_smoothed": "points were left out by smoothing",
-            "offset": "contours were offset",
-            "united": "contours were united",
+            "gaps_filled": ("gap", "filled"),
+            "gaps_bridged": ("gap", f"wider than {analysis.parameters.gap:g} mm bridged"),
+            "removed_open": ("open contour", "left out by the filter"),
+            "removed_closed": ("closed contour", "left out by the filter"),
+            "points_smoothed": ("point", "left out by smoothing"),
+            "offset": ("contour", "offset"),
+            "united": ("contour", "united"),
         }
         totals = {name: int(np.sum(getattr(repairs, name))) for name in words}
-        said = [f"{totals[name]} {text}" for name, text in words.items() if totals[name]]
+        said = [f"{counted(totals[name], one)} {text}" for name, (one, text) in words.items() if totals[name]]
         if said:
             longest = float(np.max(repairs.longest_gap, initial=0.0))
             gaps = f" (the widest gap: {longest:.3g} mm)" if longest > 0 else ""
             notes.append(f"along {axis} {', '.join(said)}{gaps}")
     return notes
+
+
+def counted(count: int, what: str) -> str:
+    """Return "1 facet", "2 facets"."""
+    return f"{count} {what}{'' if count == 1 else 's'}"
 
 
 def runs(numbers: np.ndarray) -> str:

@@ -95,7 +95,7 @@ def test_overlapping_bodies_and_guessed_units_are_said(box):
     pair = np.concatenate([box((0, 0, 0), (4, 4, 4)), box((1, 1, 1), (6, 5, 5))])
     notes = analysis_notes(analysed(Soup(pair, "m (guessed: 0.006 mm)")))
     assert any("the unit is m (guessed" in text for text in notes)
-    assert any("run through others" in text and "'winding'" in text for text in notes)
+    assert any("facets through others" in text and "'winding'" in text for text in notes)
 
 
 @pytest.mark.parametrize(
