@@ -4,8 +4,9 @@
 Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_face_sites``, ``make_wireframe``, then
 ``make_network`` (solids) and ``make_scaffold`` (mesh). At once: ``make_design``, ``change_design``; back: ``job_of``.
 By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers: ``wireframe_of``,
-``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``, ``contours_of``, ``compare_analyses``,
-``passport_of``. In another process: ``write_task``, ``run_task``, ``take_results``.
+``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``, ``contours_of``,
+``compare_analyses``, ``passport_of``. Voxels: ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``,
+``make_layer_shapes``. In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -34,6 +35,8 @@ from .features.makers import (
 from .features.network import rod_at
 from .features.scaffold import bodies_of
 from .features.tasks import run_task, take_results, write_task
+from .features.voxel_design import voxel_design_of
+from .features.voxel_makers import change_voxel_design, make_layer_shapes, make_voxel_design
 from .features.wireframe import wireframe_of
 
 __all__ = [
@@ -44,6 +47,7 @@ __all__ = [
     "body_objects",
     "change_analysis",
     "change_design",
+    "change_voxel_design",
     "compare_analyses",
     "contours_of",
     "default_parameters",
@@ -55,10 +59,12 @@ __all__ = [
     "make_design",
     "make_envelope",
     "make_face_sites",
+    "make_layer_shapes",
     "make_network",
     "make_prism_sites",
     "make_scaffold",
     "make_solid_scaffold",
+    "make_voxel_design",
     "make_wireframe",
     "move_site",
     "passport_of",
@@ -70,6 +76,7 @@ __all__ = [
     "take_back_edits",
     "take_results",
     "update",
+    "voxel_design_of",
     "wireframe_of",
     "write_task",
 ]

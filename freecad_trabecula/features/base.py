@@ -29,6 +29,7 @@ from ..core.parameters import (
     ScaffoldParameters,
 )
 from ..core.records import from_record, to_record
+from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError
 
 T = TypeVar("T")
@@ -76,6 +77,7 @@ BINDINGS: Dict[type, Binding] = {
     ),
     ScaffoldParameters: Binding("", "Scaffold", {"seconds": "TimeBudget", "memory_gb": "MemoryBudget"}),
     SliceParameters: Binding("Slice", "Slices", {}, ("low", "high", "heights", "compensation")),
+    VoxelParameters: Binding("Voxel", "Voxels"),
 }
 
 

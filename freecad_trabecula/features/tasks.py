@@ -31,6 +31,10 @@ from .network import Network, rods_by_key, shown_rods
 from .packing import read_value, write_value
 from .scaffold import Scaffold, cut, scaffold_key
 from .solid_scaffold import SolidScaffold, solid_key, solid_of
+from .voxel_design import Inputs as VoxelInputs
+from .voxel_design import VoxelDesign
+from .voxel_design import run_inputs as run_voxel_inputs
+from .voxel_design import write_inputs as write_voxel_inputs
 from .wireframe import Inputs, Wireframe, history, made, recall, wireframe_key
 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
@@ -46,7 +50,7 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     folder : str
         An empty folder.
     objects : sequence of document objects
-        A wireframe, networks, scaffolds, all of one wireframe; or one analysis.
+        A wireframe, networks, scaffolds, all of one wireframe; or one analysis, or one voxel design.
 
     Examples
     --------
@@ -63,6 +67,9 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     """
     if is_a(objects[0], Analysis):
         write_analysis_task(folder, objects[0].Proxy.inputs(objects[0]))
+        return
+    if is_a(objects[0], VoxelDesign):
+        write_voxel_task(folder, objects[0].Proxy.inputs(objects[0]))
         return
     wireframe = next(obj if is_a(obj, Wireframe) else obj.Wireframe for obj in objects)
     job = job_of(wireframe, envelope=_ENVELOPE)
@@ -101,6 +108,11 @@ def write_analysis_task(folder: str, inputs: AnalysisInputs) -> None:
     _write_record(Path(folder), {"analysis": write_inputs(Path(folder), inputs)})
 
 
+def write_voxel_task(folder: str, inputs: VoxelInputs) -> None:
+    """Write what another process needs to compute a voxel design of which no document has an object yet."""
+    _write_record(Path(folder), {"voxels": write_voxel_inputs(Path(folder), inputs)})
+
+
 def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]]) -> None:
     try:
         envelope.exportBinary(str(Path(folder) / _ENVELOPE))
@@ -130,6 +142,9 @@ def run_task(folder: str, progress: Progress = silent) -> None:
     task = json.loads((place / _TASK).read_text(encoding="utf-8"))
     if "analysis" in task:
         results.save(str(place / _RESULTS), *run_inputs(place, task["analysis"], progress))
+        return
+    if "voxels" in task:
+        results.save(str(place / _RESULTS), *run_voxel_inputs(place, task["voxels"], progress))
         return
     job = from_record(Job, task["job"], "job")
     envelope = Part.Shape()

@@ -18,12 +18,13 @@ from ..features.analysis import Analysis
 from ..features.feature import is_a
 from ..features.jobs import job_of
 from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
+from ..features.voxel_design import VoxelDesign
 from .child_work import ChildWork, Progress, task_work, time_text
 from .qt import invoke_later
 from .view_providers import wireframe_of
 
 translate = FreeCAD.Qt.translate
-Owner = Tuple[str, str]  # names of document and wireframe, or analysis
+Owner = Tuple[str, str]  # names of document and wireframe, or analysis, or voxel design
 _ended: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
 
 
@@ -61,9 +62,10 @@ class Recomputing(QtCore.QObject):
         if failed_key == key:
             raise TrabeculaError(text)
         try:
-            if not is_a(obj, Analysis):
+            alone = is_a(obj, Analysis, VoxelDesign)
+            if not alone:
                 job_of(wireframe_of(obj), envelope="envelope")
-            owner = (obj.Document.Name, (obj if is_a(obj, Analysis) else wireframe_of(obj)).Name)
+            owner = (obj.Document.Name, (obj if alone else wireframe_of(obj)).Name)
         except (TrabeculaError, AttributeError):  # of no design, or of one that no job can hold
             return False
         names = self._wanted.setdefault(owner, {})
@@ -94,7 +96,7 @@ class Recomputing(QtCore.QObject):
         self._bar.show_start()
 
     def _objects(self, owner: Owner) -> List[Any]:
-        """Those that wait: an analysis alone, or a wireframe, which stands for its sites, and bodies made of it."""
+        """Those that wait: one alone, or a wireframe, which stands for its sites, and bodies made of it."""
         if owner[0] not in FreeCAD.listDocuments():
             return []
         document = FreeCAD.getDocument(owner[0])
@@ -109,7 +111,7 @@ class Recomputing(QtCore.QObject):
         except TrabeculaError as error:
             self._fail(owner, str(error))
             return
-        self._recompute(owner)
+        invoke_later(lambda: self._recompute(owner))  # between reading and showing the window has its turn
 
     def _fail(self, owner: Owner, text: str) -> None:
         for name, key in self._wanted.get(owner, {}).items():

@@ -2,7 +2,7 @@
 """A texture fitted to a sample: how often lines of every direction cross its surface, how large its trabeculae are.
 
 Lines along n cross the surface of a field with waves |A k| = 1 in proportion to |A^-1 n| (all directions of an
-isotropic field are alike), so that crossings along 13 directions of the grid give the axes and lengths of the waves: the
+isotropic field are alike), so that crossings along 13 directions of the grid give axes and lengths of the waves: the
 mean intercept ellipsoid (Harrigan, Mann 1984, doi:10.1007/BF00539414). Layers cut sheets into long trabeculae and rods
 into small ones: the mix is the one whose trabeculae, weighed by area, are as large as the sample's. Both are compared
 with fields cut to the sample's own layer counts.
@@ -17,7 +17,6 @@ from typing import List, Optional
 
 import numpy as np
 
-from ...errors import ParameterError
 from .plane_offsets import layer_sums, newton_offsets, solid_of
 from .texture import Texture, trabecular_field
 
@@ -27,6 +26,7 @@ _MIXES = (1.0, 0.15, 1 / 64)
 _LARGEST_WINDOW = 104  # voxels along an edge; a larger sample is judged by its middle
 _COARSE = 0.05  # crossings per voxel below which every other voxel is enough
 _START = 1.7  # crossings per wavelength along a line, about
+_LONGEST = 4.0  # longest waves that are looked for, over the window's edge
 _SIMULATIONS = 3  # of a sample that holds few waves; one of a finer sample
 _STEPS = 3
 _STEPS_ZYX = tuple(d for d in product((-1, 0, 1), repeat=3) if d > (0, 0, 0))  # 13 directions
@@ -75,7 +75,7 @@ def fitted_texture(sample: np.ndarray, mix: Optional[float] = None) -> Texture:
     Raises
     ------
     ParameterError
-        If the sample is empty, full, or has no surface along some direction.
+        If the sample is empty or full.
     """
     sample = np.asarray(sample, bool)
     return _fitted(np.packbits(sample).tobytes(), sample.shape, mix)
@@ -87,8 +87,11 @@ def _fitted(packed: bytes, shape: tuple, mix: Optional[float]) -> Texture:
     window, step = _window(bits.reshape(shape).astype(bool))
     wanted = crossing_tensor(window)
     rates, axes = np.linalg.eigh(wanted)
-    if rates[0] <= 0:
-        raise ParameterError(f"a sample must have surface along every direction, got crossings {np.sort(rates)}")
+    # along a prism's axis nothing is crossed, and the waves are as long as they can be told from none
+    least = (_START / (_LONGEST * max(window.shape))) ** 2
+    if rates[0] < least:
+        rates = np.maximum(rates, least)
+        wanted = (axes * rates) @ axes.T
     # rounded far above the last bits, in which libraries differ
     axes = tuple(tuple(float(a) for a in np.rint(axis * 2.0**20) / 2.0**20) for axis in axes.T)
     texture = Texture(tuple(_length(_START / np.sqrt(rates))), axes, mix=DEFAULT_MIX if mix is None else mix)

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Functions that make voxel designs in a document, and shapes of their layers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Optional, Sequence, Union
+
+import FreeCAD
+
+from ..core.progress import Progress, silent
+from ..core.voxels.parameters import VoxelParameters
+from ..geometry.voxel_shapes import layer_solids, layer_wires
+from .base import write_parameters
+from .feature import update
+from .makers import add, all_or_nothing
+from .voxel_design import VoxelDesign, check_surface, voxel_design_of
+
+
+def make_voxel_design(
+    document: FreeCAD.Document,
+    source: Union[Any, str],
+    parameters: Optional[VoxelParameters] = None,
+    envelope: Any = None,
+    surface: str = "blocks",
+    progress: Progress = silent,
+) -> Any:
+    """Add voxels whose sliced areas along X, Y and Z equal those of a sample, and return the object.
+
+    Parameters
+    ----------
+    document : App.Document
+    source : document object or str
+        The sample: a mesh, a solid, an analysis, a body of ours; or the path of a file.
+    parameters : VoxelParameters, optional
+    envelope : document object, optional
+        Body within which voxels may lie.
+    surface : str
+        ``blocks`` or ``smooth``.
+    progress : callable
+
+    Raises
+    ------
+    TrabeculaError
+        If there is no such design, or a value is refused; the document is as it was.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.voxels.parameters import VoxelParameters
+    >>> document = FreeCAD.newDocument()
+    >>> ring = document.addObject("Part::Feature", "Ring")
+    >>> ring.Shape = make.make_box(document, 4, 4, 4).Shape.cut(make.make_box(document, 2, 2, 4).Shape)
+    >>> design = make.make_voxel_design(document, ring, VoxelParameters(size=(0.5, 0.5, 0.5)))
+    >>> design.Voxels, design.Exact, design.Components
+    (384, True, 1)
+    """
+    check_surface(surface)
+    with all_or_nothing(document):
+        obj = add(document, VoxelDesign, "VoxelDesign", "Mesh::FeaturePython", Surface=surface, Envelope=envelope)
+        if isinstance(source, str):
+            obj.File, obj.Label = source, f"Voxels {Path(source).stem}"
+        else:
+            obj.Source, obj.Label = source, f"Voxels {source.Label}"
+        write_parameters(obj, parameters or VoxelParameters())
+        update(obj, progress)
+    return obj
+
+
+def change_voxel_design(
+    obj: Any,
+    parameters: VoxelParameters,
+    envelope: Any = None,
+    surface: str = "blocks",
+    progress: Progress = silent,
+) -> None:
+    """Design the voxels of an object in another way; arguments as for ``make_voxel_design``.
+
+    Raises
+    ------
+    TrabeculaError
+        If there is no such design; the caller's transaction takes back what was changed.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.voxels.parameters import VoxelParameters
+    >>> document = FreeCAD.newDocument()
+    >>> ring = document.addObject("Part::Feature", "Ring")
+    >>> ring.Shape = make.make_box(document, 4, 4, 4).Shape.cut(make.make_box(document, 2, 2, 4).Shape)
+    >>> design = make.make_voxel_design(document, ring, VoxelParameters(size=(0.5, 0.5, 0.5)))
+    >>> make.change_voxel_design(design, VoxelParameters(size=(1.0, 1.0, 1.0)))
+    >>> design.Voxels
+    48
+    """
+    check_surface(surface)
+    write_parameters(obj, parameters)
+    obj.Envelope, obj.Surface = envelope, surface
+    update(obj, progress)
+
+
+def make_layer_shapes(obj: Any, layers: Sequence[int], solid: bool = False, progress: Progress = silent) -> Any:
+    """Add the merged outlines of layers along Z of a voxel design (Fig. 6.12) as wires, or the layers as solids.
+
+    Parameters
+    ----------
+    obj : document object
+        A voxel design.
+    layers : sequence of int
+        From 0.
+    solid : bool
+    progress : callable
+
+    Raises
+    ------
+    TrabeculaError
+        If a layer is none of the design's; the document is as it was.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.voxels.parameters import VoxelParameters
+    >>> document = FreeCAD.newDocument()
+    >>> ring = document.addObject("Part::Feature", "Ring")
+    >>> ring.Shape = make.make_box(document, 4, 4, 4).Shape.cut(make.make_box(document, 2, 2, 4).Shape)
+    >>> design = make.make_voxel_design(document, ring, VoxelParameters(size=(0.5, 0.5, 0.5)))
+    >>> round(make.make_layer_shapes(design, [0, 7], True).Shape.Volume, 6)
+    12.0
+    """
+    design = voxel_design_of(obj)
+    make = layer_solids if solid else layer_wires
+    shape = make(design.voxels, design.targets.voxel, design.targets.origin, layers, progress)
+    with all_or_nothing(obj.Document):
+        found = obj.Document.addObject("Part::Feature", "Layers")
+        found.Label = f"Layers of {obj.Label}"
+        found.Shape = shape
+    return found
