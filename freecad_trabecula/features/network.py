@@ -14,9 +14,8 @@ from ..core import wireframe as core
 from ..core.history import rounded_keys
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
-from ..core.rods import true_volumes
 from ..errors import KernelError, ParameterError
-from ..geometry.rod_solids import rod_solids
+from ..geometry.rod_solids import measured_rods
 from . import results
 from .feature import is_a, result
 from .on_demand import OnDemand, on_demand
@@ -164,9 +163,8 @@ def build(
     missing = [k for k, key in enumerate(keys) if key not in kept]
     rods = [kept.get(key) for key in keys]
     some = core.without(wireframe, np.array(missing, int))
-    mesh_volumes = true_volumes(some.paths, some.ends).tolist()
-    for k, solid, mesh_volume in zip(missing, rod_solids(some, parameters, progress), mesh_volumes):
-        rods[k] = Kept(solid, solid.Volume, mesh_volume)
+    for k, rod in zip(missing, measured_rods(some, parameters, progress)):
+        rods[k] = Kept(*rod)
     solids, volumes, others = zip(*rods) if rods else ((), (), ())
     return Rods(tuple(keys), wireframe.names, Part.makeCompound(list(solids)), np.array(volumes), np.array(others))
 
