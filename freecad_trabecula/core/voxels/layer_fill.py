@@ -97,7 +97,7 @@ def shuffled_layers(voxels: np.ndarray, stream: Stream, rounds: int = 12, progre
         After about ten rounds nothing of the start can be seen any more.
     progress : callable
     """
-    voxels = np.ascontiguousarray(voxels)
+    voxels = np.array(voxels, bool, order="C")
     for done in range(rounds):
         progress(done, rounds, "random layers")
         for layer in voxels:

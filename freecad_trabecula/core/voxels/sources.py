@@ -28,6 +28,7 @@ from .volume_files import read_npy
 #: Suffixes of meshes, as ``analysis.triangles.read_soup`` knows them.
 MESHES = (".stl", ".obj", ".ply", ".3mf")
 AREA, COUNT = "sliced_area_mm2", "voxels"
+_OPEN = 1e-7  # of the surface: what sums of single precision leave
 _SAME = 1e-3  # relative: a layer of 0.1 mm written with four digits
 
 
@@ -162,6 +163,7 @@ def targets_of_triangles(triangles: np.ndarray, parameters: VoxelParameters, pro
     """
     if not len(triangles):
         raise MeshError("a sample must have at least one triangle, got 0")
+    check_closed(triangles)
     low, high = (triangles.min((0, 1)).astype(float), triangles.max((0, 1)).astype(float))
     layers = layer_counts_of_box(high - low, parameters.size, parameters.areas)
     areas = []
@@ -189,6 +191,22 @@ def _voxelised(
         return voxelise(scaled, 1.0, ((0.0, 0.0, 0.0), layers), progress).solid
     except MeshError as error:
         raise ParameterError(f"a mesh must be closed to be filled with voxels: {error}") from error
+
+
+def check_closed(triangles: np.ndarray) -> None:
+    """Refuse a mesh whose vector area is not 0, as that of every closed mesh is, or whose volume is negative.
+
+    Raises
+    ------
+    ParameterError
+        If the mesh is open or inside out.
+    """
+    a, b, c = (np.asarray(triangles[:, k], float) for k in range(3))
+    normals = np.cross(b - a, c - a)
+    open_area, surface = np.linalg.norm(normals.sum(0)) / 2, np.linalg.norm(normals, axis=1).sum() / 2
+    require(open_area <= _OPEN * surface, "a sample's mesh must be closed; its open area is", f"{open_area:.3g}", "mm²")
+    volume = float(((a - a.mean(0)) * normals).sum()) / 6
+    require(volume > 0, "a sample's mesh must not be inside out; its volume is", f"{volume:.4g}", "mm³")
 
 
 def mean_thickness(triangles: np.ndarray) -> float:
