@@ -7,12 +7,14 @@ from typing import Iterator, NamedTuple, Tuple
 
 import numpy as np
 
-from ..progress import Progress, silent
+from ..progress import Progress, part, silent
+from .triangles import by_corners
 
 _PAIRS = 200_000  # worked on at once
 _TRIANGLES = 100_000  # in a slab of cells
 _CELL = 1.5  # edge of a cell in sizes of the middle triangle: fewer triangles in a cell, or in fewer cells
 _MOST_CELLS = 1000  # in a direction
+_WHAT = "looking for triangles that cross"
 _TOUCHING = 1e-9  # of the size of a triangle: nearer is touching
 
 
@@ -33,7 +35,8 @@ def crossing_triangles(triangles: np.ndarray, keys: np.ndarray, progress: Progre
     """
     crossing = np.zeros(len(triangles), bool)
     corners = np.ascontiguousarray(triangles, np.float32)
-    for a, b in _close_pairs(corners, progress):
+    progress(0.0, 1.0, _WHAT)
+    for a, b in _close_pairs(by_corners(triangles).reshape(3, 3, -1), progress):
         shared = sum((keys[k, a] == keys[m, b]).view(np.int8) for k in range(3) for m in range(3))
         a, b = a[shared < 2], b[shared < 2]
         for _ in range(2):
@@ -84,9 +87,9 @@ class _Cells(NamedTuple):
     high: np.ndarray
 
 
-def _close_pairs(corners: np.ndarray, progress: Progress) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
-    """Pairs of triangles whose boxes meet, each once: slab by slab of cells."""
-    low, high = corners.min(1), corners.max(1)
+def _close_pairs(points: np.ndarray, progress: Progress) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+    """Pairs of triangles whose boxes meet, each once: slab by slab of cells; points (co-ordinate, corner, T)."""
+    low, high = (np.ascontiguousarray(x.T) for x in (points.min(1), points.max(1)))
     origin = low.min(0)
     extent = float((high.max(0) - origin).max())
     size = max(float(np.median((high - low).max(1))) * _CELL, extent / _MOST_CELLS, 1e-9)
@@ -96,13 +99,14 @@ def _close_pairs(corners: np.ndarray, progress: Progress) -> Iterator[Tuple[np.n
     while bottom < top:
         done = layers[bottom - 1] if bottom else 0
         stop = min(max(bottom + 1, int(np.searchsorted(layers, done + _TRIANGLES, "right"))), top)
-        yield from _pairs_in_slab(cells, bottom, stop)
-        progress(stop, top, "looking for triangles that cross")
+        yield from _pairs_in_slab(cells, bottom, stop, part(progress, bottom / top, stop / top))
         bottom = stop
 
 
-def _pairs_in_slab(cells: _Cells, bottom: int, top: int) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+def _pairs_in_slab(cells: _Cells, bottom: int, top: int,
+                   progress: Progress) -> Iterator[Tuple[np.ndarray, np.ndarray]]:  # fmt: skip
     """Pairs that meet in the cells of some layers: each in the cell of the lowest corner of what their boxes share."""
+    progress(0.0, 1.0, _WHAT)
     some = np.flatnonzero((cells.first[:, 2] < top) & (cells.last[:, 2] >= bottom)).astype(np.int32)
     first, last = cells.first[some].copy(), cells.last[some].copy()
     first[:, 2], last[:, 2] = np.maximum(first[:, 2], bottom), np.minimum(last[:, 2], top - 1)
@@ -130,4 +134,5 @@ def _pairs_in_slab(cells: _Cells, bottom: int, top: int) -> Iterator[Tuple[np.nd
                                   & (np.maximum(cells.first[a, k], cells.first[b, k]) == at[entry, k]))  # fmt: skip
             a, b, entry = a[meet], b[meet], entry[meet]
         yield a, b
+        progress(ends[stop - 1], max(int(ends[-1]), 1), _WHAT)
         begin = stop

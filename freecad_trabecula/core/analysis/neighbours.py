@@ -82,11 +82,12 @@ def _matched(keys: np.ndarray, wanted: np.ndarray, progress: Progress) -> np.nda
         bits = max(_LEAST_BITS, len(left).bit_length() + 1)
         factor = np.uint64(_MULTIPLIER * (2 * turn + 1) % 2**64)
         shift = np.uint64(64 - bits)
+        progress(2 * turn + 1, 2 * turn + 4, "joining the triangles")
         table = np.zeros(1 << bits, np.int32)
         for start in range(0, len(left), _CHUNK):
             part = left[start : start + _CHUNK]
             table[keys[part] * factor >> shift] = part
-        progress(turn, turn + 2, "joining the triangles")
+        progress(2 * turn + 2, 2 * turn + 4, "joining the triangles")
         for start in range(0, len(seeking), _CHUNK):
             part = seeking[start : start + _CHUNK]
             met = table[wanted[part] * factor >> shift]

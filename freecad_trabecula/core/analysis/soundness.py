@@ -33,7 +33,7 @@ class MeshFacts:
     open_edges : int
         Half-edges without a partner, whose neighbour is missing or has its corners elsewhere.
     flipped : int
-        Triangles that must be turned for their neighbours to agree; of two ways to do so the one that turns fewer.
+        Triangles that must be turned for their neighbours to agree; of both ways to do so the one that turns fewer.
     duplicates : int
         Triangles with the same corners as another one, however they turn.
     degenerate : int
@@ -79,16 +79,18 @@ def mesh_facts(soup: Soup, partners: Optional[np.ndarray] = None, progress: Prog
     volume, area, degenerate = _sizes(soup.triangles, part(progress, 0.1, 0.15))
     keys = corner_keys(by_corners(soup.triangles)).reshape(3, -1)
     same = _same_way(keys, partners)
+    progress(0.16, 1.0, "finding parts")
     parts, flipped = _parts(partners, same)
     joined = np.zeros(len(partners), bool)
     joined[same.ravel()] = True
-    crossing = -1
+    progress(0.18, 1.0, "finding doubles")
+    duplicates, crossing = _duplicates(keys), -1
     if crossings:
         crossing = int(crossing_triangles(soup.triangles, keys, part(progress, 0.2, 1.0)).sum())
     return MeshFacts(
         triangles=len(soup.triangles), parts=parts, volume=volume, area=area,
         open_edges=int(((partners < 0) & ~joined & _has_length(keys)).sum()), flipped=flipped,
-        duplicates=_duplicates(keys), degenerate=degenerate, self_intersecting=crossing,
+        duplicates=duplicates, degenerate=degenerate, self_intersecting=crossing,
     )  # fmt: skip
 
 
@@ -131,8 +133,9 @@ def _parts(partners: np.ndarray, same: np.ndarray) -> Tuple[int, int]:
     count = len(partners) // 3
     half = np.flatnonzero(partners >= 0)
     patch = roots(count, half % count, partners[half] % count)
-    names, patch = np.unique(patch, return_inverse=True)
-    sizes = np.bincount(patch)
+    is_root = patch == np.arange(count, dtype=np.int32)
+    patch = (np.cumsum(is_root, dtype=np.int32) - 1)[patch]  # numbers without gaps
+    names, sizes = range(int(is_root.sum())), np.bincount(patch)
     a, b = patch[same % count]
     links: List[List[int]] = [[] for _ in names]
     for p, q in zip(a.tolist(), b.tolist()):
