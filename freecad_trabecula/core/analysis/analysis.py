@@ -10,6 +10,7 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from ..progress import Progress, part, silent
+from .branches import Branches, trace_branches
 from .contours import ContourMeasures, Contours, contour_measures
 from .neighbours import neighbours
 from .parameters import SliceParameters, plane_heights
@@ -69,7 +70,7 @@ def analyse(soup: Soup, parameters: Optional[SliceParameters] = None, morphometr
     parameters : SliceParameters, optional
         By default the thesis': layers of 0.1 mm along x, y and z, cut in their middles.
     morphometry : bool
-        Also measure the body as a whole on voxels (BV/TV, Tb.Th, Conn.D ...).
+        Also measure the body as a whole on voxels (BV/TV, Tb.Th, Conn.D ...) and its branches along each axis.
     envelope : Soup, optional
         What the porosity refers to on every plane; by default the rectangle of the body's box.
 
@@ -85,19 +86,23 @@ def analyse(soup: Soup, parameters: Optional[SliceParameters] = None, morphometr
     partners = neighbours(soup.triangles, part(progress, 0.0, 0.05))
     share = (0.4 if morphometry else 0.7) / len(parameters.axes)
     profiles, measures, repairs = {}, {}, {}
+    branches: Dict[str, Branches] = {}
     for k, axis in enumerate(parameters.axes):
         step = part(progress, 0.05 + k * share, 0.05 + (k + 1) * share)
         contours, repairs[axis], corners = _mended(soup, parameters, axis, partners, part(step, 0.0, 0.7))
-        measures[axis] = contour_measures(contours, parameters, part(step, 0.7, 1.0))
+        measures[axis] = contour_measures(contours, parameters, part(step, 0.7, 0.9))
+        if morphometry:
+            least = parameters.least_area
+            branches[axis] = trace_branches(contours, measures[axis], least, progress=part(step, 0.9, 1.0))
         area, name = _envelope_area(corners, contours, parameters, envelope)
         profiles[axis] = make_profile(contours, measures[axis], parameters, area, repairs[axis].spoilt, name)
     done = 0.05 + share * len(parameters.axes)
     facts = mesh_facts(soup, partners, part(progress, done, done + 0.25))
     whole = None
     if morphometry:
-        from .morphometry import measure
+        from .morphometry import measure, with_branches
 
-        whole = measure(soup, progress=part(progress, 0.7, 1.0))
+        whole = with_branches(measure(soup, progress=part(progress, 0.7, 1.0)), branches)
     return Analysis(soup.source, soup.unit, parameters, soup.box, facts, profiles, measures, whole,
                     time.process_time() - begun, repairs)  # fmt: skip
 

@@ -7,14 +7,15 @@ micro-CT (Bouxsein et al. 2010, DOI 10.1002/jbmr.141). The volume of reference i
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Dict, List, NamedTuple, Optional, Tuple
+from dataclasses import dataclass, replace
+from typing import Dict, List, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from ...errors import MeshError
 from ..progress import Progress, part, silent
 from .anisotropy import Fabric, fabric_of_triangles, fabric_of_voxels
+from .branches import Branches
 from .connectivity import connectivity
 from .thickness import SizeDistribution, local_thickness, size_distribution
 from .triangles import Soup
@@ -25,6 +26,7 @@ _SPHERES = "Hildebrand and Ruegsegger 1997, DOI 10.1046/j.1365-2818.1997.1340694
 _EULER = "Odgaard and Gundersen 1993, DOI 10.1016/8756-3282(93)90245-6"
 _MIL = "Whitehouse 1974, DOI 10.1111/j.1365-2818.1974.tb03878.x; Harrigan and Mann 1984, DOI 10.1007/BF00540446"
 _INTERCEPTS = "Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)"
+_THESIS = "thesis ch. 9 (interconnectivity of trabeculae); graph of the slices"
 _CUT = 1e-6  # of the box: a triangle so near to one of its faces is where the sample was cut
 _APART = 0.02  # between the mesh's and the voxels' volume; more, and the mesh overlaps itself
 
@@ -87,6 +89,24 @@ TABLE: Dict[str, Tuple[str, str, str, str]] = {
         "DA by all lines through BS, from its normals: the second route, exact",
         _MIL,
     ),
+}
+
+#: Measures along an axis, whose name follows the symbol after a dot: name, unit, definition, source.
+AXIS_TABLE: Dict[str, Tuple[str, str, str, str]] = {
+    "Br": (
+        "branches per mm",
+        "1/mm",
+        "chains of trabeculae that go on from slice to slice, each overlapping one of the next and no other, over the "
+        "distance from the first slice to the last",
+        _THESIS,
+    ),
+    "Jn": (
+        "junctions per mm",
+        "1/mm",
+        "trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance",
+        _THESIS,
+    ),
+    "Lp": ("loops", "1", "overlaps less trabeculae plus parts of the graph: ways that part and meet again", _THESIS),
 }
 
 
@@ -180,6 +200,17 @@ def measure(soup: Soup, voxel: Optional[float] = None, progress: Progress = sile
 def measure_voxels(voxels: Voxels, progress: Progress = silent) -> Morphometry:
     """Return the morphometry of voxels that have no mesh: what needs triangles is left out."""
     return _measured(None, voxels, None, progress)
+
+
+def with_branches(morphometry: Morphometry, branches: Mapping[str, Branches]) -> Morphometry:
+    """Return a morphometry with the interconnectivity along axes added, the measures of ``AXIS_TABLE`` for each."""
+    added = []
+    for axis, graph in branches.items():
+        values = {"Br": graph.branches_per_mm, "Jn": graph.junctions_per_mm, "Lp": float(graph.loops)}
+        for symbol, (name, unit, definition, source) in AXIS_TABLE.items():
+            words = f"{name} along {axis}"
+            added.append(Measure(f"{symbol}.{axis}", words, values[symbol], unit, definition, source))
+    return replace(morphometry, measures=(*morphometry.measures, *added))
 
 
 def _measured(

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from freecad_trabecula.core.analysis import morphometry as m
+from freecad_trabecula.core.analysis.analysis import analyse
 from freecad_trabecula.core.analysis.json_values import from_values, to_values
+from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.analysis.triangles import Soup
 from freecad_trabecula.core.analysis.voxelise import Voxels
 from freecad_trabecula.errors import Cancelled, ParameterError
@@ -149,3 +151,12 @@ def test_cancelling_stops_the_measurement():
 
     with pytest.raises(Cancelled):
         m.measure(Soup(plates()), 0.4, cancel)
+
+
+def test_branches_along_the_axes_are_measures_too():
+    soup = Soup(box([0, 0, 0], [1, 1, 4]))
+    found = analyse(soup, SliceParameters(thickness=0.5))
+    # one straight rod: one branch in 3.5 mm between the first and the last slice, no junction, no loop
+    assert [found.morphometry[symbol] for symbol in ("Br.z", "Jn.z", "Lp.z")] == pytest.approx([1 / 3.5, 0, 0])
+    assert found.morphometry["Br.x"] == pytest.approx(1 / 0.5)
+    assert analyse(soup, SliceParameters(thickness=0.5), morphometry=False).morphometry is None
