@@ -24,9 +24,9 @@ class Accordion(QtGui.QWidget):
     def add(self, title: str, picture: Any, page: Any) -> None:
         """Add a section; the first one is open."""
         number = len(self._pages)
-        header = QtGui.QPushButton(title)
+        header = QtGui.QPushButton()
+        header.setToolTip(title)
         header.setIcon(picture)
-        header.setCheckable(True)
         header.setStyleSheet("QPushButton { text-align: left; padding: 2px 6px; }")
         header.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
         header.clicked.connect(lambda *_: self.open(-1 if self.opened() == number else number))
@@ -41,9 +41,9 @@ class Accordion(QtGui.QWidget):
 
     def open(self, number: int) -> None:
         """Open one section; -1 closes all."""
-        for k, (header, page, _) in enumerate(self._pages):
-            header.setChecked(k == number)
+        for k, (_, page, _) in enumerate(self._pages):
             page.setVisible(k == number)
+            self._write(k)
         if number >= 0:
             QtCore.QTimer.singleShot(0, lambda: self._scroll_to(number))
 
@@ -64,8 +64,13 @@ class Accordion(QtGui.QWidget):
 
     def set_summary(self, number: int, text: str) -> None:
         """Show what a section holds, beside its title."""
-        header, _, title = self._pages[number]
-        words = f"{title}:  {text}" if text else title
-        header.setToolTip(words)
+        header, page, title = self._pages[number]
+        header.setToolTip(f"{title}:  {text}" if text else title)
+        self._write(number)
+
+    def _write(self, number: int) -> None:
+        """Write a header: an arrow, which themes colour as they do all texts, and what is inside."""
+        header, page, _ = self._pages[number]
+        words = ("▸ " if page.isHidden() else "▾ ") + header.toolTip()
         room = max(header.width(), 200) - 40
         header.setText(header.fontMetrics().elidedText(words, QtCore.Qt.ElideRight, room))

@@ -27,7 +27,7 @@ from .view_providers import type_of
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaAnalysisDock"
 KIND = "Trabecula::Analysis"
-_HEIGHT, _LIST = 330, 170  # pixels: of the dock, of its list's width
+_HEIGHT, _LIST, _WORDS = 330, 150, 250  # pixels: of the dock, of its list's and its table's first column's width
 
 
 class AnalysisDock(QtGui.QDockWidget):
@@ -44,6 +44,7 @@ class AnalysisDock(QtGui.QDockWidget):
         self._observing = False
         self.list = QtGui.QListWidget()
         self.list.setIconSize(QtCore.QSize(16, 16))
+        self.list.setMinimumWidth(90)
         self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.list.setTextElideMode(QtCore.Qt.ElideRight)
         self.list.itemChanged.connect(lambda *_: self.refresh())
@@ -119,8 +120,7 @@ class AnalysisDock(QtGui.QDockWidget):
         try:
             found = {obj.Name: make.analysis_of(obj) for obj in self.ticked()}
             if len(found) > 1:
-                labels = [obj.Label for obj in self.ticked()]
-                self._comparison = plots.comparison_of(list(found.values()), labels)
+                self._comparison = plots.comparison_of(list(found.values()))
             self._shown = found
         except TrabeculaError as error:
             notice = str(error)
@@ -164,8 +164,9 @@ class AnalysisDock(QtGui.QDockWidget):
         return next(iter(self._shown.values()), None)
 
     def _show_page(self) -> None:
-        """Fill the page that is open."""
+        """Fill the page that is open; tables take the room of the slice."""
         number = self.tabs.currentIndex()
+        self.view.setVisible(number < len(KINDS))
         if number < len(KINDS):
             kind = KINDS[number][0]
             self.charts[kind].show_diagram(self._diagram(kind))
@@ -180,6 +181,8 @@ class AnalysisDock(QtGui.QDockWidget):
         fill(self.figures, head, [[row.words, *row.values] for row in rows])
         for line, row in enumerate(rows):
             self.figures.item(line, 0).setToolTip(row.tip or row.words)
+        self.figures.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Interactive)
+        self.figures.setColumnWidth(0, _WORDS)
         self.figures.setMinimumHeight(0)
         self.figures.setMaximumHeight(16777215)  # the dock's own height, not that of all rows
 

@@ -15,10 +15,11 @@ from ..core.analysis.comparison import Comparison, SharedAxis, compare, range_te
 from ..core.analysis.passport import passport
 from ..core.analysis.plots import COLOURS, area_edges, coordinate_edges
 from .chart import Counts, Curve, Diagram
+from .figures import with_powers
 
 translate = FreeCAD.Qt.translate
 _GREY = "#999999"
-_MOST_LETTERS = 24  # of a name in a diagram
+_MOST_LETTERS = 16  # of a name in a diagram or a table
 #: Kinds of diagrams: key, title of the tab.
 KINDS = (
     ("sliced_area", translate("Trabecula", "Sliced area")),
@@ -160,15 +161,15 @@ def _short(name: str) -> str:
     return name if len(name) <= _MOST_LETTERS else name[: _MOST_LETTERS - 1] + "…"
 
 
-def comparison_of(analyses: Sequence[Analysis], names: Sequence[str]) -> Comparison:
-    """Return analyses laid side by side under the names of their objects.
+def comparison_of(analyses: Sequence[Analysis]) -> Comparison:
+    """Return analyses laid side by side under short names.
 
     Raises
     ------
     ParameterError
         If they have nothing in common.
     """
-    return compare([replace(analysis, name=_short(name)) for analysis, name in zip(analyses, names)])
+    return compare([replace(analysis, name=_short(analysis.name)) for analysis in analyses])
 
 
 def compared_diagram(comparison: Comparison, analyses: Sequence[Analysis], kind: str, axis: str) -> Diagram:
@@ -210,7 +211,7 @@ def passport_of(comparison: Comparison, analyses: Sequence[Analysis]) -> Tuple[L
     rows = []
     for words, *cells in lines:
         for number, name in enumerate(comparison.names):
-            rows.append(Row(f"{words}: {name}", cells[number::count]))
+            rows.append(Row(f"{with_powers(words)}: {name}", cells[number::count]))
     for number in range(1, count):
         found = passport(analyses[0], analyses[number])
         tail = f", {comparison.names[number]}" if count > 2 else ""

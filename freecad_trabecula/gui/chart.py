@@ -13,7 +13,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from PySide import QtCore, QtGui
 
-from .qt import ink_on
+from .qt import paper_and_ink
 
 _LEFT, _RIGHT, _TOP, _BOTTOM = 58, 12, 22, 34  # pixels around the axes
 _TICKS = 6  # about so many along an axis
@@ -161,7 +161,7 @@ class Chart(QtGui.QWidget):
         """Paint the diagram, from the picture if there is one, and the cursor."""
         if self._picture is None:
             self._picture = QtGui.QPixmap(self.size())
-            self._picture.fill(self.palette().color(QtGui.QPalette.Base))
+            self._picture.fill(paper_and_ink()[0])
             painter = QtGui.QPainter(self._picture)
             painter.setFont(self.font())
             self._paint(painter)
@@ -193,8 +193,7 @@ class Chart(QtGui.QWidget):
         self._paint_legend(painter, box)
 
     def _paint_axes(self, painter: Any, box: Any) -> None:
-        paper = self.palette().color(QtGui.QPalette.Base)
-        ink = ink_on(paper)
+        paper, ink = paper_and_ink()
         grid = QtGui.QColor(*((7 * p + i) // 8 for p, i in zip(paper.getRgb()[:3], ink.getRgb()[:3])))
         centre, right = QtCore.Qt.AlignCenter, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
         for share, text in self._axes[0].ticks():
@@ -253,7 +252,7 @@ class Chart(QtGui.QWidget):
 
     def _paint_legend(self, painter: Any, box: Any) -> None:
         """Names of the curves above the axes, from the right, as many as have room."""
-        ink, x = ink_on(self.palette().color(QtGui.QPalette.Base)), box.right()
+        ink, x = paper_and_ink()[1], box.right()
         least = painter.fontMetrics().boundingRect(self.diagram.y_label).width() + 16
         for curve in reversed([one for one in self.diagram.curves if one.label]):
             width = painter.fontMetrics().boundingRect(curve.label).width()

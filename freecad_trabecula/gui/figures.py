@@ -90,7 +90,7 @@ def manual_figures(wireframe: Any) -> List[Figure]:
     parameters, rods = wireframe.Proxy.parameters(wireframe), make.wireframe_of(wireframe)
     text = translate("Trabecula", "{:.1f} h").format(manual_seconds(parameters, rods) / 3600)
     tip = translate("Trabecula", "30 to 75 s a rod, by curvature and sections (thesis 2.3.3)")
-    return [Figure(translate("Trabecula", "The rods by hand, as the thesis estimates"), text, tip)]
+    return [Figure(translate("Trabecula", "Rods by hand (thesis' estimate)"), text, tip)]
 
 
 def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:

@@ -7,7 +7,7 @@ Widgets come from ``PySide.QtGui`` everywhere: FreeCAD 0.20 has no ``PySide.QtWi
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -109,9 +109,13 @@ def small_button(name: str, tip: str, pressed: Any, text: str = "", checkable: b
     return button
 
 
-def ink_on(paper: Any) -> Any:
-    """Return a colour for lines and texts that can be read on another; a style sheet's palette may not fit itself."""
-    return QtGui.QColor(235, 235, 235) if paper.lightness() < 128 else QtGui.QColor(25, 25, 25)
+def paper_and_ink() -> Tuple[Any, Any]:
+    """Return the colours of the ground and of the lines of what is painted.
+
+    The main window knows the theme; the palette of a widget of our own holds half of it.
+    """
+    paper = FreeCADGui.getMainWindow().palette().color(QtGui.QPalette.Base)
+    return paper, QtGui.QColor(235, 235, 235) if paper.lightness() < 128 else QtGui.QColor(25, 25, 25)
 
 
 def invoke_later(function: Any, milliseconds: int = 0) -> None:

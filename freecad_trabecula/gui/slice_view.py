@@ -10,7 +10,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from ..core.analysis.parameters import axis_frame
-from .qt import ink_on
+from .qt import paper_and_ink
 
 #: Okabe and Ito's blue and vermilion, as in ``core.analysis.plots``.
 ROD, PLATE = "#0072B2", "#D55E00"
@@ -60,8 +60,7 @@ class SliceView(QtGui.QWidget):
         """Paint box, contours from the largest to the smallest, words."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        paper = self.palette().color(QtGui.QPalette.Base)
-        ink = ink_on(paper)
+        paper, ink = paper_and_ink()
         painter.fillRect(self.rect(), paper)
         painter.setPen(ink)
         if self.slice is None:

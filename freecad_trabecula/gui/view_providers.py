@@ -87,6 +87,11 @@ class ViewProvider:
         """Remember the object (called by FreeCAD, also after a file was opened)."""
         self.Object = view.Object
 
+    def isShow(self) -> bool:
+        """Return whether the tree shows the object as seen: an analysis has nothing that could be hidden."""
+        obj = getattr(self, "Object", None)
+        return obj is None or type_of(obj) == "Trabecula::Analysis" or bool(obj.ViewObject.Visibility)
+
     def getIcon(self) -> str:
         """Return the path of the icon in the tree."""
         obj = getattr(self, "Object", None)

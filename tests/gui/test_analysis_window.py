@@ -242,6 +242,10 @@ class DockTest(AnalysisCase):
         self.assertIsNone(self.dock.view.slice)
         self.assertTrue(wait(lambda: self.dock.view.slice is not None, 120))
 
+    def test_the_tree_shows_the_analysis_as_seen_with_its_icon(self):
+        self.assertTrue(self.obj.ViewObject.isVisible())
+        self.assertTrue(self.obj.ViewObject.Proxy.getIcon().endswith("Trabecula_analysis.svg"))
+
     def test_closing_the_document_empties_the_dock(self):
         FreeCAD.closeDocument(self.document.Name)
         settle(0.5)
