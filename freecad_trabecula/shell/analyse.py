@@ -11,7 +11,10 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Tuple
 import FreeCAD
 import numpy as np
 
+from ..core.analysis.analysis import Analysis
+from ..core.analysis.branches import Branches, trace_branches
 from ..core.analysis.cli_layers import write_cli
+from ..core.analysis.contours import Contours
 from ..core.analysis.folder import PAGE, REPORT, save_analysis
 from ..core.analysis.plots import analysis_figures, require_matplotlib, save_figure
 from ..core.analysis.report_text import analysis_summary
@@ -27,7 +30,13 @@ Report = Callable[..., None]
 WORKBOOK = "slices.xlsx"
 _ABOVE = {"middle": 0.5, "bottom": 1.0, "heights": 0.5}  # of a layer, over its plane
 #: Files that an analysis may leave in its folder.
-_OURS = ("profile_*.csv", "contours_*.csv", "slices*.*", *(f"*.{kind}" for kind in ("png", "svg", "pdf")))
+_OURS = (
+    "profile_*.csv",
+    "contours_*.csv",
+    "branches_*.csv",
+    "slices*.*",
+    *(f"*.{kind}" for kind in ("png", "svg", "pdf")),
+)
 
 
 def run(options: Dict[str, Any], report: Report) -> int:
@@ -54,10 +63,15 @@ def run(options: Dict[str, Any], report: Report) -> int:
     with ResultFolder(options["out"]) as folder:
         report("temporary", path=str(folder.aside))
         sample = read_sample(options["file"], options, part(progress, 0.0, 0.7))
-        names = _write_more(sample, options, kind, folder, part(progress, 0.7, 0.97))
+        names, branches = _write_layers(sample, options, folder, part(progress, 0.7, 0.85))
+        names += _write_more(sample.analysis, options["xlsx"], kind, folder, part(progress, 0.85, 0.97))
         record = save_analysis(
-            *(sample.analysis, folder.aside),
-            **{"also": names, "versions": versions(), "notes": sample.notes},
+            sample.analysis,
+            folder.aside,
+            also=names,
+            versions=versions(),
+            notes=sample.notes,
+            branches=branches,
             progress=part(progress, 0.97, 1.0),
         )
         folder.keep(*record["files"], PAGE, REPORT)  # the report last: it tells of files that are there
@@ -68,38 +82,46 @@ def run(options: Dict[str, Any], report: Report) -> int:
     return 0 if record["ok"] else 1
 
 
-def _write_more(
-    sample: Sample, options: Mapping[str, Any], kind: str, folder: ResultFolder, progress: Progress
-) -> List[str]:
-    """Write layers, workbook and plots; return the files' names."""
-    analysis, names = sample.analysis, []
-    wanted = [suffix for suffix in ("ssl", "cli", "svg") if options[suffix]]
-    for number, axis in enumerate(analysis.profiles if wanted else ()):
-        step = part(progress, 0.4 * number / len(analysis.profiles), 0.4 * (number + 1) / len(analysis.profiles))
-        names += _write_layers(sample, axis, wanted, folder, step)
-    if options["xlsx"]:
-        path = folder.path(WORKBOOK)
-        write_workbook(path, analysis.profiles, analysis.measures, part(progress, 0.4, 0.6))
+def _write_layers(
+    sample: Sample, options: Mapping[str, Any], folder: ResultFolder, progress: Progress
+) -> Tuple[List[str], Dict[str, Branches]]:
+    """Write the contours in the formats that were asked for, and follow the trabeculae; return files and branches."""
+    analysis, names, branches = sample.analysis, [], {}
+    chosen = analysis.parameters
+    suffixes = [suffix for suffix in ("ssl", "cli", "svg") if options[suffix]]
+    if not suffixes and options["no_morphometry"]:
+        return [], {}
+    for number, axis in enumerate(analysis.profiles):
+        step = part(progress, number / len(analysis.profiles), (number + 1) / len(analysis.profiles))
+        contours = sample.contours(axis, part(step, 0.0, 0.3))
+        if not options["no_morphometry"]:
+            own = analysis.measures[axis]
+            branches[axis] = trace_branches(contours, own, chosen.least_area, progress=part(step, 0.3, 0.6))
+        for suffix in suffixes:
+            path = folder.path(f"slices_{axis}.{suffix}")
+            _write_contours(path, contours, analysis, part(step, 0.6, 1.0))
+            names.append(path.name)
+    return names, branches
+
+
+def _write_contours(path: Path, contours: Contours, analysis: Analysis, progress: Progress) -> None:
+    chosen = analysis.parameters
+    if path.suffix == ".ssl":
+        write_ssl(path, contours, chosen.thickness, path.name, progress=progress)
+    elif path.suffix == ".cli":
+        write_cli(path, contours, chosen.thickness, _ABOVE[chosen.at], progress=progress)
+    else:
+        write_svg(path, contours, f"{analysis.name} along {contours.axis}", progress=progress)
+
+
+def _write_more(analysis: Analysis, workbook: bool, kind: str, folder: ResultFolder, progress: Progress) -> List[str]:
+    """Write workbook and plots; return the files' names."""
+    names = []
+    if workbook:
+        write_workbook(folder.path(WORKBOOK), analysis.profiles, analysis.measures, part(progress, 0.0, 0.5))
         names.append(WORKBOOK)
     if kind != "none":
-        names += write_figures(analysis_figures(analysis), kind, folder, part(progress, 0.6, 1.0))
-    return names
-
-
-def _write_layers(
-    sample: Sample, axis: str, suffixes: List[str], folder: ResultFolder, progress: Progress
-) -> List[str]:
-    contours, chosen = sample.contours(axis, part(progress, 0.0, 0.5)), sample.analysis.parameters
-    step, names = part(progress, 0.5, 1.0), []
-    for suffix in suffixes:
-        name = f"slices_{axis}.{suffix}"
-        if suffix == "ssl":
-            write_ssl(folder.path(name), contours, chosen.thickness, name, progress=step)
-        elif suffix == "cli":
-            write_cli(folder.path(name), contours, chosen.thickness, _ABOVE[chosen.at], progress=step)
-        else:
-            write_svg(folder.path(name), contours, f"{sample.analysis.name} along {axis}", progress=step)
-        names.append(name)
+        names += write_figures(analysis_figures(analysis), kind, folder, part(progress, 0.5, 1.0))
     return names
 
 

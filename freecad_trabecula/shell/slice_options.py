@@ -86,7 +86,9 @@ def analyse_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--range", metavar="LOW:HIGH", type=value_range, help="layers in a range only (--range=-2:5)")
     parser.add_argument(
-        "--no-morphometry", action="store_true", help="leave out BV/TV, Tb.Th, Tb.Sp, Conn.D, DA (they take longest)"
+        "--no-morphometry",
+        action="store_true",
+        help="leave out BV/TV, Tb.Th, Tb.Sp, Conn.D, DA and interconnectivity (they take longest)",
     )
     result = parser.add_argument_group("what is written")
     result.add_argument("--out", metavar="DIR", required=True, help="folder for tables, report and plots")

@@ -201,6 +201,8 @@ def test_morphometry_is_in_the_report_unless_it_is_left_out(tmp_path):
     done = analyse(tmp_path / "a.stl", "--thickness", 1, "--plots", "none", "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     measures = {one["symbol"]: one["value"] for one in report_of(tmp_path / "out")["morphometry"]["measures"]}
+    assert {f"branches_{axis}.csv" for axis in "xyz"} < set(names(tmp_path / "out"))
+    assert report_of(tmp_path / "out")["interconnectivity"]["z"]["branches"] == 1
     assert measures["BV/TV"] == pytest.approx(1, rel=1e-6) and measures["BV"] == pytest.approx(8, rel=1e-6)
 
 

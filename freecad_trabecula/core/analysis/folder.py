@@ -15,6 +15,7 @@ from ..bodies import Check
 from ..progress import Progress, part, silent
 from ..stl import whole_file
 from .analysis import Analysis
+from .branches import Branches
 from .json_values import from_values, values_json
 from .parameters import SliceParameters, axis_name
 from .profiles import Profile
@@ -22,7 +23,7 @@ from .repair import Repairs
 from .report import KIND, SCHEMA, analysis_record
 from .report_text import analysis_markdown
 from .soundness import MeshFacts
-from .tables import contour_columns, csv_blocks, profile_columns, profile_csv, read_contours
+from .tables import branches_csv, contour_columns, csv_blocks, profile_columns, profile_csv, read_contours
 
 REPORT, PAGE = "report.json", "report.md"
 
@@ -34,6 +35,7 @@ def save_analysis(
     also: Sequence[str] = (),
     versions: Optional[Mapping[str, str]] = None,
     notes: Sequence[str] = (),
+    branches: Optional[Mapping[str, Branches]] = None,
     progress: Progress = silent,
 ) -> Dict[str, Any]:
     """Write an analysis into a folder that is there, the report last; return its record.
@@ -42,7 +44,7 @@ def save_analysis(
     ----------
     analysis : Analysis
     folder : str or Path
-    checks, versions, notes
+    checks, versions, notes, branches
         As ``report.analysis_record`` takes them.
     also : sequence of str
         Further files in the folder that the report is to name: plots, layers, a workbook.
@@ -61,8 +63,11 @@ def save_analysis(
         for name, blocks in texts.items():
             _write(folder / name, _reported(blocks, len(profile) + len(columns["layer"]), axis, step))
         names += texts
+    for axis, own in (branches or {}).items():
+        _write(folder / f"branches_{axis}.csv", [branches_csv(own)])
+        names.append(f"branches_{axis}.csv")
     sizes = {name: _size(folder / name) for name in (*names, *also)}
-    record = analysis_record(analysis, checks, sizes, versions, notes)
+    record = analysis_record(analysis, checks, sizes, versions, notes, branches)
     _write(folder / PAGE, [analysis_markdown(record)])
     _write(folder / REPORT, [values_json(record)])
     return record

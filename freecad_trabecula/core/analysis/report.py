@@ -14,6 +14,7 @@ from .parameters import AXES
 
 if TYPE_CHECKING:
     from .analysis import Analysis
+    from .branches import Branches
     from .profiles import Profile
 
 KIND, SCHEMA = "slice analysis", 1
@@ -183,6 +184,7 @@ def analysis_record(
     files: Optional[Mapping[str, int]] = None,
     versions: Optional[Mapping[str, str]] = None,
     notes: Sequence[str] = (),
+    branches: Optional[Mapping[str, Branches]] = None,
 ) -> Dict[str, Any]:
     """Return all numbers of an analysis but those of single contours, as ``report.json`` holds them.
 
@@ -197,6 +199,8 @@ def analysis_record(
         Programs that took part.
     notes : sequence of str
         Further things to be said.
+    branches : mapping of axis to Branches, optional
+        How trabeculae hang together from slice to slice, if it was traced.
     """
     checks = analysis_checks(analysis) if checks is None else checks
     faults = analysis_faults(analysis)
@@ -217,11 +221,19 @@ def analysis_record(
         "mesh": to_values(facts),
         "checks": [dict(to_values(check), ok=check.ok) for check in checks],
         "axes": {axis: _axis_record(analysis, axis) for axis in analysis.profiles},
+        "interconnectivity": {axis: branches_record(own) for axis, own in (branches or {}).items()},
         "morphometry": to_values(analysis.morphometry),
         "seconds": analysis.seconds,
         "files": dict(files or {}),
         "versions": dict(versions or {}),
     }
+
+
+def branches_record(branches: Branches) -> Dict[str, Any]:
+    """Return what is counted on the graph of trabeculae along one axis (thesis ch. 9)."""
+    names = ("branches", "branches_per_mm", "junctions", "junctions_per_mm", "parts", "loops", "unresolved")
+    events = {name: int(getattr(branches, name).sum()) for name in ("appear", "end", "split", "join")}
+    return {**{name: to_values(getattr(branches, name)) for name in names}, **events, "rows_mm": branches.spacing}
 
 
 def _axis_record(analysis: Analysis, axis: str) -> Dict[str, Any]:

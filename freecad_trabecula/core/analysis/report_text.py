@@ -19,6 +19,24 @@ _FACTS = {
     "self_intersecting": "facets that run through others",
 }
 
+_BRANCHES = {
+    "branches": "branches: chains of trabeculae that go on without an event",
+    "branches_per_mm": "branches a mm",
+    "junctions": "junctions: splits and joins",
+    "junctions_per_mm": "junctions a mm",
+    "appear": "trabeculae that appear",
+    "end": "trabeculae that end",
+    "split": "trabeculae that split",
+    "join": "trabeculae that join",
+    "parts": "parts that hang together from slice to slice",
+    "loops": "loops: ways that part and meet again",
+    "unresolved": "trabeculae too small to be followed",
+}
+_BRANCHES_READING = (
+    "A graph over the slices (thesis ch. 9): trabeculae are joined where they overlap on neighbouring slices. Its "
+    "counts depend on the thickness of the layers."
+)
+
 
 def analysis_markdown(record: Mapping[str, Any]) -> str:
     """Return the record of an analysis as Markdown."""
@@ -36,6 +54,8 @@ def analysis_markdown(record: Mapping[str, Any]) -> str:
         "## Mesh",
         _mesh(record["mesh"]),
     ]
+    if record["interconnectivity"]:
+        parts += ["## Interconnectivity", table(*_branches(record["interconnectivity"])), _BRANCHES_READING]
     if record["morphometry"]:
         parts += ["## Morphometry", _morphometry(record["morphometry"])]
     parts += [
@@ -146,7 +166,7 @@ def _inputs(record: Mapping[str, Any]) -> List[Tuple[str, str]]:
         ("fill rule", chosen["fill"]),
         ("rod if area / box is at least", f"{chosen['rod_ratio']:g}"),
         ("contours counted above, mm2", f"{chosen['least_area']:g}"),
-        ("time of the analysis, processor s", f"{record['seconds']:.2f}"),
+        ("time of the slices, processor s", f"{record['seconds']:.2f}"),
     ]
 
 
@@ -198,10 +218,22 @@ def _mesh(facts: Optional[Mapping[str, Any]]) -> str:
     return table(("quantity", "value"), rows)
 
 
+def _measure_words(value: Optional[float]) -> str:
+    return f"{value:.0f}" if value is not None and float(value).is_integer() else number_words(value)
+
+
+def _branches(record: Mapping[str, Mapping[str, Any]]) -> Tuple[List[str], List[List[str]]]:
+    rows = []
+    for key, words in _BRANCHES.items():
+        values = [own[key] for own in record.values()]
+        rows.append([words, *(str(v) if isinstance(v, int) else number_words(v) for v in values)])
+    return ["", *(axis.upper() for axis in record)], rows
+
+
 def _morphometry(record: Mapping[str, Any]) -> str:
     measures: List[Dict[str, Any]] = record.get("measures", [])
     head = [
         key for key in ("symbol", "name", "value", "unit", "definition", "source") if measures and key in measures[0]
     ]
-    rows = [[number_words(row[key]) if key == "value" else row[key] for key in head] for row in measures]
+    rows = [[_measure_words(row[key]) if key == "value" else row[key] for key in head] for row in measures]
     return table(head, rows)

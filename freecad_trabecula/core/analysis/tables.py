@@ -12,6 +12,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple, Union
 import numpy as np
 
 from ...errors import ExportError, ParameterError
+from .branches import Branches
 from .contours import ContourMeasures
 from .profiles import Profile
 
@@ -23,6 +24,7 @@ CONTOUR_COLUMNS = (
     *("centroid_u_mm", "centroid_v_mm", "moment_uu_mm4", "moment_uv_mm4", "moment_vv_mm4"),
     *("area_by_box", "rod", "circularity", "rod_invariant", "aspect", "equivalent_diameter_mm", "parent"),
 )
+BRANCH_COLUMNS = ("layer", "coordinate_mm", "trabeculae", "appear", "end", "split", "join")
 _BLOCK = 10_000  # lines made at once: a tenth of a second
 _WHOLE = ("layer", "contours", "outer_contours", "rod", "rod_invariant", "parent")
 
@@ -58,6 +60,16 @@ def contour_columns(measures: ContourMeasures, coordinate: np.ndarray) -> Dict[s
         *(one.equivalent_diameter, one.parent),
     )
     return dict(zip(CONTOUR_COLUMNS, columns))
+
+
+def branches_csv(branches: Branches) -> str:
+    """Return what becomes of the trabeculae from slice to slice as CSV text, one row per slice (``BRANCH_COLUMNS``)."""
+    count = len(branches.heights)
+    columns = (
+        *(np.arange(count), branches.heights, np.bincount(branches.plane, minlength=count)),
+        *(branches.appear, branches.end, branches.split, branches.join),
+    )
+    return csv_text(dict(zip(BRANCH_COLUMNS, columns)))
 
 
 def csv_text(columns: Mapping[str, Sequence[Any]]) -> str:

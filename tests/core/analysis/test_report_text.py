@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from freecad_trabecula.core.analysis.analysis import analyse
+from freecad_trabecula.core.analysis.analysis import analyse, contours_of
+from freecad_trabecula.core.analysis.branches import trace_branches
 from freecad_trabecula.core.analysis.morphometry import measure
 from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.analysis.report import analysis_record
@@ -20,6 +21,7 @@ from freecad_trabecula.core.analysis.report_text import (
     range_words,
     table,
 )
+from freecad_trabecula.core.analysis.tables import branches_csv
 from freecad_trabecula.core.analysis.triangles import Soup
 
 
@@ -61,6 +63,22 @@ def test_morphometry_is_a_table_with_definition_and_source(cavity):
     text = analysis_markdown(analysis_record(replace(analysis, morphometry=whole)))
     assert "## Morphometry" in text and "| symbol | name | value | unit | definition | source |" in text
     assert "| BV/TV | bone volume fraction | 0.784000 |" in text
+
+
+def test_interconnectivity_is_a_table_with_a_column_for_each_axis(measured, cavity):
+    found = {}
+    for axis in ("x", "z"):
+        contours, _ = contours_of(cavity, measured.parameters, axis)
+        found[axis] = trace_branches(contours, measured.measures[axis])
+    record = analysis_record(measured, branches=found)
+    text = analysis_markdown(record)
+    # one trabecula from the first slice to the last, its hole notwithstanding
+    assert "| branches: chains of trabeculae that go on without an event | 1 | 1 |" in text
+    assert "| trabeculae that split | 0 | 0 |" in text
+    assert record["interconnectivity"]["x"]["branches_per_mm"] == pytest.approx(1 / 9.5)
+    lines = branches_csv(found["x"]).splitlines()
+    assert lines[0] == "layer,coordinate_mm,trabeculae,appear,end,split,join"
+    assert lines[1] == "0,0.25,1,0,0,0,0" and len(lines) == 21
 
 
 def test_a_faulty_mesh_is_said_at_the_top_of_the_page_and_in_the_summary(box):
