@@ -96,8 +96,8 @@ def compare(first, second):
     mended = sum(len(text[1]) for text in texts[0].values())
     print(f"FreeCAD {versions[0]} and {versions[1]}: {len(texts[0])} designs; same names, pairs, tables and {mended} "
           f"mended rods; sizes to {largest['sizes']:.1g} mm, paths to {largest['paths']:.1g} mm; volumes of envelopes' "
-          f"meshes to {largest['envelope']:.1g}, rods to {largest['volumes']:.1g}, {len(SCAFFOLDS)} scaffolds and their "
-          f"channels to {largest['bodies']:.1g}" if not wrong else "\n".join(wrong))  # fmt: skip
+          f"meshes to {largest['envelope']:.1g}, rods to {largest['volumes']:.1g}, {len(SCAFFOLDS)} scaffolds and "
+          f"their channels to {largest['bodies']:.1g}" if not wrong else "\n".join(wrong))  # fmt: skip
     return 1 if wrong else 0
 
 
