@@ -15,7 +15,7 @@ from ..progress import Progress, part, silent
 from .exact_search import is_small
 from .feasibility import check_feasible
 from .parameters import BYTES_PER_VOXEL, VoxelParameters, check_voxel_count
-from .strategies import find_strategy
+from .registry import find_strategy
 from .table_pairs import draw_pair
 from .targets import Targets
 from .verification import check_exact

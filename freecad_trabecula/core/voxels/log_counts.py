@@ -39,8 +39,8 @@ def log_count(log_weights: np.ndarray) -> LogCount:
 
     Examples
     --------
-    >>> log_count(np.log([100.0, 100.0, 100.0]))
-    LogCount(log10=2.0, standard_error=0.0, samples=3, effective=3.0)
+    >>> log_count(np.zeros(3))
+    LogCount(log10=0.0, standard_error=0.0, samples=3, effective=3.0)
     """
     count = len(log_weights)
     top = float(log_weights.max())

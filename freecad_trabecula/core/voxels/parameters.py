@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Tuple
 
 from ..parameters import check_seed, require
-from .strategies import strategy_names
+from .registry import strategy_names
 
 Triple = Tuple[float, float, float]
 

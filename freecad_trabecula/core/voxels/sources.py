@@ -217,7 +217,7 @@ def mean_thickness(triangles: np.ndarray) -> float:
     >>> o, x, y, z = np.eye(4, 3, -1)
     >>> faces = np.array([[o, y, x], [o, x, z], [o, z, y], [x, y, z]])
     >>> round(mean_thickness(faces), 6)  # 2 / 6 / (3 / 2 + sqrt(3) / 2)
-    0.14088
+    0.140883
     """
     a, b, c = (np.asarray(triangles[:, k], float) for k in range(3))
     normals = np.cross(b - a, c - a)

@@ -9,7 +9,7 @@ import pytest
 
 from freecad_trabecula.core.records import from_record, to_record
 from freecad_trabecula.core.voxels.parameters import VoxelParameters, check_voxel_count
-from freecad_trabecula.core.voxels.strategies import find_strategy, strategy_names
+from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names
 from freecad_trabecula.errors import ParameterError
 
 
