@@ -2,8 +2,8 @@
 """Our time beside a rival's on the same work, in one run (``make bench``): CPU seconds and peak memory.
 
 Every piece runs in a process of its own under FreeCAD, ours and the rival's in turn; the page is build/bench/bench.md.
-``ARGS="--only scaffold field"`` chooses pieces, ``ARGS=--growth`` measures how time and memory grow with the rods and
-draws docs/pictures/growth.png.
+Slices of a mesh come last (``bench_slices.py``). ``ARGS="--only scaffold slices"`` chooses pieces, ``ARGS=--growth``
+measures how time and memory grow with the rods and draws docs/pictures/growth.png.
 """
 
 import argparse
@@ -15,6 +15,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import bench_slices
 import under_freecad
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -318,3 +319,5 @@ def parse(arguments):
 if __name__ == "__main__":
     chosen = parse(sys.argv[1:])
     grow() if chosen.growth else compare(chosen.only)
+    if not chosen.growth and (not chosen.only or "slices" in chosen.only):
+        bench_slices.run(bench_slices.parse([]))
