@@ -202,36 +202,43 @@ class Solid:
         Axes (0 z, 1 y, 2 x) along whose layers flips may not change the number of parts.
     """
 
+    #: Layers of void around the box.
+    pad = 1
+
     def __init__(
         self, voxels: np.ndarray, mask: Optional[np.ndarray] = None, no_edges: bool = False, no_corners: bool = False
     ) -> None:
         self.shape = voxels.shape
-        self.padded = np.pad(voxels, 1).view(np.uint8)
+        self.padded = np.pad(voxels, self.pad).view(np.uint8)
         self.flat = self.padded.reshape(-1)
-        self.allowed = None if mask is None else np.pad(mask, 1).reshape(-1)
+        self.allowed = None if mask is None else np.pad(mask, self.pad).reshape(-1)
         self.no_edges, self.no_corners = no_edges, no_corners
         self.kept_planes: tuple = ()
         rows, columns = self.padded.shape[1:]
         self._strides = (rows * columns, columns, 1)
         self.offsets = STEPS @ np.array(self._strides)
         inside = np.zeros(self.padded.shape, bool)
-        inside[1:-1, 1:-1, 1:-1] = True
+        inside[self._box] = True
         self._inside = inside.reshape(-1)
 
     @property
     def voxels(self) -> np.ndarray:
         """The solid, (P, M, N) bool: a view."""
-        return self.padded[1:-1, 1:-1, 1:-1].view(bool)
+        return self.padded[self._box].view(bool)
+
+    @property
+    def _box(self) -> tuple:
+        return (slice(self.pad, -self.pad),) * 3
 
     def index_of(self, z: np.ndarray, y: np.ndarray, x: np.ndarray) -> np.ndarray:
         """Return the indices of voxels (z, y, x), which may lie one voxel outside the box."""
         a, b, c = self._strides
-        return (z + 1) * a + (y + 1) * b + (x + 1) * c
+        return (z + self.pad) * a + (y + self.pad) * b + (x + self.pad) * c
 
     def places_of(self, index: np.ndarray) -> tuple:
         """Return (z, y, x) of indices: three int arrays like them."""
         z, y, x = np.unravel_index(index, self.padded.shape)
-        return z - 1, y - 1, x - 1
+        return z - self.pad, y - self.pad, x - self.pad
 
     def codes(self, index: np.ndarray, corners: bool = False) -> np.ndarray:
         """Return the neighbour codes of voxels, int32 (C,): bit i tells whether neighbour ``STEPS[i]`` is solid."""

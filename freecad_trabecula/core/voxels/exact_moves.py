@@ -20,6 +20,7 @@ from .plane_offsets import FORBIDDEN, layer_sums
 _PAIRS = 12  # pairs of layers tried before a line is given up for free places
 _FEW = 1024  # best places looked at together
 _LOOPS = 40
+_STALLS = 6  # loops without getting nearer after which the search gives up
 _BATCHES = 60
 _BATCH = 20_000  # most voxels looked at for one batch
 _SHARE_NEAR = 0.04  # of all voxels that batches choose from: those nearest to the field's level
@@ -62,9 +63,11 @@ class ExactMoves:
         self.flips = 0
         strides = [solid.padded.strides[i] for i in range(3)]
         self._strides = strides
-        self._lines = []  # per axis: padded index of each line's place in the border layer before layer 0
+        self._lines = []  # per axis: padded index of each line's place in the first layer of the border
         for axis in range(3):
-            places = [np.zeros(1, np.int64) if i == axis else np.arange(1, n + 1) for i, n in enumerate(solid.shape)]
+            places = [
+                np.zeros(1, np.int64) if i == axis else np.arange(n) + solid.pad for i, n in enumerate(solid.shape)
+            ]
             self._lines.append(sum(np.ix_(*[p * s for p, s in zip(places, strides)])).reshape(-1))
 
     # ------------------------------------------------------------------------------------------------- what is where
@@ -98,7 +101,7 @@ class ExactMoves:
 
     def _layer(self, axis: int, number: int) -> Tuple[np.ndarray, np.ndarray]:
         """Return padded indices and heights of a layer's voxels, each raveled."""
-        index = self._lines[axis] + (number + 1) * self._strides[axis]
+        index = self._lines[axis] + (number + self.solid.pad) * self._strides[axis]
         across = [o for i, o in enumerate(self.offsets) if i != axis]
         table = across[0][:, None] + (across[1] + self.offsets[axis][number])
         return index, (np.take(self.field, number, axis) + table).reshape(-1)
@@ -114,12 +117,16 @@ class ExactMoves:
             If some layers could not be brought to their counts; the message says how far off the worst is.
         """
         self.spread()
+        best, stalled = self.missing, 0
         for loop in range(_LOOPS):
             self._match_total()
             for axis in range(3):
                 self._match_axis(axis, loop)
             if not self.missing:
                 return self.solid.voxels.copy()
+            best, stalled = (self.missing, 0) if self.missing < best else (best, stalled + 1)
+            if stalled == _STALLS:
+                break
         raise ExactnessError(self._failure())
 
     def _failure(self) -> str:

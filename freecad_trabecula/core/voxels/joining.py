@@ -62,7 +62,7 @@ def joined_solid(
     return solid, offsets
 
 
-def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent) -> np.ndarray:
+def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent, bar: np.ndarray = _BAR) -> np.ndarray:
     """Return the solid as one part: islands joined or dropped, closed cavities filled.
 
     Parameters
@@ -70,6 +70,8 @@ def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent) -
     solid, mask : ndarray of shape (P, M, N), bool
         Nothing is added outside the mask.
     progress : callable
+    bar : ndarray of shape (B, 3), int
+        Steps (z, y, x) that bars cover around their lines.
     """
     solid = solid.copy()
     least = max(_SMALLEST_ISLAND, LEAST_ISLAND * np.count_nonzero(solid))
@@ -80,7 +82,7 @@ def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent) -
         if len(islands) < 2:
             break
         before = np.count_nonzero(solid)
-        _join_islands(solid, mask, labels, islands, int(np.argmax(sizes)))
+        _join_islands(solid, mask, labels, islands, int(np.argmax(sizes)), bar)
         if np.count_nonzero(solid) == before:
             break
     if len(sizes) > 2:
@@ -92,7 +94,9 @@ def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent) -
     return solid
 
 
-def _join_islands(solid: np.ndarray, mask: np.ndarray, labels: np.ndarray, islands: np.ndarray, main: int) -> None:
+def _join_islands(
+    solid: np.ndarray, mask: np.ndarray, labels: np.ndarray, islands: np.ndarray, main: int, bar: np.ndarray
+) -> None:
     """Draw a bar from every island but the main one to its nearest neighbour that is worth joining."""
     from scipy import ndimage
 
@@ -103,7 +107,7 @@ def _join_islands(solid: np.ndarray, mask: np.ndarray, labels: np.ndarray, islan
         if island == main:
             continue
         for start, end in _nearest_ends(labels, int(island), is_worth, boxes[island - 1]):
-            _draw_bar(solid, mask, start, end)
+            _draw_bar(solid, mask, start, end, bar)
 
 
 def _nearest_ends(labels: np.ndarray, island: int, is_worth: np.ndarray, box: tuple) -> list:
@@ -127,11 +131,11 @@ def _nearest_ends(labels: np.ndarray, island: int, is_worth: np.ndarray, box: tu
         margin *= 2
 
 
-def _draw_bar(solid: np.ndarray, mask: np.ndarray, start: np.ndarray, end: np.ndarray) -> None:
-    """Make a straight bar of three voxels' thickness solid where the mask lets it be."""
+def _draw_bar(solid: np.ndarray, mask: np.ndarray, start: np.ndarray, end: np.ndarray, bar: np.ndarray) -> None:
+    """Make a straight bar solid where the mask lets it be."""
     steps = 2 * int(np.abs(end - start).max()) + 1
     line = np.rint(start + np.linspace(0.0, 1.0, steps + 1)[:, None] * (end - start)).astype(int)
-    places = (line[:, None, :] + _BAR).reshape(-1, 3)
+    places = (line[:, None, :] + bar).reshape(-1, 3)
     inside = ((places >= 0) & (places < solid.shape)).all(1)
     z, y, x = places[inside].T
     solid[z, y, x] |= mask[z, y, x]

@@ -7,7 +7,7 @@ Field -> offsets -> islands joined -> contacts removed -> exact moves. No floati
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import List, Optional
+from typing import List, Optional, Tuple
 
 import numpy as np
 
@@ -18,11 +18,13 @@ from ..contacts import remove_contacts
 from ..exact_moves import ExactMoves
 from ..joining import joined_solid, one_part
 from ..local_scale import locally_fitted
+from ..masks import main_part
 from ..parameters import VoxelParameters
 from ..plane_offsets import FORBIDDEN, newton_offsets, solid_of
 from ..targets import Targets
 from ..texture import Texture, trabecular_field
 from ..texture_fit import DEFAULT_MIX, fitted_texture
+from ..thinnest import ThickSolid, thick_start
 from ..trabeculae import match_trabeculae, trabecula_counts, wanted_trabeculae
 
 NAME = "trabecular"
@@ -59,7 +61,8 @@ def design(
     """
     counts = [targets.c, targets.e, targets.d]
     check_one_part(counts)
-    order = _Order(targets, parameters, counts, allowed_voxels(counts, mask), chosen_texture(targets, parameters))
+    allowed = allowed_voxels(counts, None if mask is None else main_part(mask))
+    order = _Order(targets, parameters, counts, allowed, chosen_texture(targets, parameters))
     for attempt in range(_ATTEMPTS):
         try:
             return order.filled(attempt, progress)
@@ -144,13 +147,23 @@ class _Order:
         """
         ends = (0.5, 0.7) if self.counts_trabeculae else (0.1, 0.6)
         field = self.field(attempt, part(progress, 0.0, ends[0]))
-        solid, offsets = joined_solid(field, self.counts, part(progress, *ends))
-        moves = ExactMoves(Solid(solid, self.allowed), field, offsets, self.counts, part(progress, ends[1], 1.0))
+        solid, offsets = self._started(field, part(progress, *ends))
+        moves = ExactMoves(solid, field, offsets, self.counts, part(progress, ends[1], 1.0))
         if self.parameters.contacts != "any":
             remove_contacts(moves, self.parameters.contacts == "corner")
         if self.counts_trabeculae:
             match_trabeculae(moves, self.wanted)
         return moves.run()
+
+    def _started(self, field: np.ndarray, progress: Progress) -> Tuple[Solid, List[np.ndarray]]:
+        """Return one part with nearly the counts, thick enough if asked for, and the field's offsets."""
+        thickness, void = self.parameters.thickness, self.parameters.void
+        if thickness == 1 and void == 1:
+            solid, offsets = joined_solid(field, self.counts, progress)
+            return Solid(solid, self.allowed), offsets
+        may_touch = self.parameters.contacts == "any"
+        solid, offsets = thick_start(field, self.counts, thickness, void, may_touch, progress)
+        return ThickSolid(solid, self.allowed, thickness, void), offsets
 
     def field(self, attempt: int, progress: Progress) -> np.ndarray:
         """Return the field of an attempt, float32, ``FORBIDDEN`` where no solid may be."""
