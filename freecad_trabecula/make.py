@@ -3,10 +3,11 @@
 
 Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_face_sites``, ``make_wireframe``, then
 ``make_network`` (solids) and ``make_scaffold`` (mesh). At once: ``make_design``, ``change_design``; back: ``job_of``.
-By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers: ``wireframe_of``,
-``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``, ``contours_of``,
-``compare_analyses``, ``passport_of``. Voxels: ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``,
-``make_layer_shapes``. In another process: ``write_task``, ``run_task``, ``take_results``.
+By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers:
+``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
+``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
+``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``, ``make_layer_shapes``. In another process:
+``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -14,6 +15,7 @@ Functions raise an error and leave the document as it was. They open no transact
 from __future__ import annotations
 
 from .features.analysis import analysis_of, contours_of
+from .features.analysis_files import save_analysis, save_comparison
 from .features.analysis_makers import change_analysis, compare_analyses, default_parameters, make_analysis, passport_of
 from .features.designs import Design, change_design, make_design
 from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
@@ -70,6 +72,8 @@ __all__ = [
     "passport_of",
     "rod_at",
     "run_task",
+    "save_analysis",
+    "save_comparison",
     "set_pore",
     "set_wireframe_parameters",
     "switch_off_site",

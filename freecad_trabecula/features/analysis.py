@@ -31,6 +31,7 @@ from .on_demand import OnDemand, waiting
 from .packing import from_numbers, to_numbers
 
 CONTOURS = "contours"  # kind of results: contours along one axis
+PROFILES = "profiles"  # kind of results: an analysis without what the document does not keep
 _BODY, _ENVELOPE = "body", "envelope"  # names of what another process slices
 _UNITS = ["auto", *UNITS]
 
@@ -193,7 +194,7 @@ def analysis_of(obj: Any) -> core.Analysis:
     """
     if not obj.ResultKey:
         raise ParameterError(f"{obj.Label} must have been computed, got: {obj.Status or 'nothing yet'}")
-    found = results.find(Analysis.KIND, obj.ResultKey)
+    found = results.find(Analysis.KIND, obj.ResultKey) or results.find(PROFILES, obj.ResultKey)
     if found is not None:
         return found
     try:
@@ -201,7 +202,7 @@ def analysis_of(obj: Any) -> core.Analysis:
     except ExportError as error:
         raise ParameterError(f"{obj.Label} must be computed anew: {error}") from error
     measures = {axis: _measures(told) for axis, told in value.measures.items()}
-    return results.keep(Analysis.KIND, obj.ResultKey, replace(value, measures=measures))
+    return results.keep(PROFILES, obj.ResultKey, replace(value, measures=measures))
 
 
 def contours_at_hand(obj: Any, axis: str) -> Optional[Contours]:

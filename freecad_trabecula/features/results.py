@@ -21,7 +21,19 @@ from .packing import read_value, write_value
 T = TypeVar("T")
 
 #: Kinds of results; each keeps its latest few.
-KINDS = ("history", "envelope", "sites", "wireframe", "network", "scaffold", "solid", "analysis", "contours", "voxels")
+KINDS = (
+    "history",
+    "envelope",
+    "sites",
+    "wireframe",
+    "network",
+    "scaffold",
+    "solid",
+    "analysis",
+    "profiles",
+    "contours",
+    "voxels",
+)
 _MOST_KEPT = 16  # of a kind; contours of 300 slices are some 10 MB
 _INDEX = "results.json"
 _kept: OrderedDict[Tuple[str, str], Any] = OrderedDict()

@@ -22,6 +22,7 @@ from ..geometry.design import SitedFace, placed_prism_sites
 from . import network, results
 from .analysis import Analysis, run_inputs, write_inputs
 from .analysis import Inputs as AnalysisInputs
+from .analysis_files import run_saving, write_saving
 from .base import read_parameters
 from .envelope import checked_envelope
 from .face_sites import FaceSites, sites_key, sites_on
@@ -108,6 +109,11 @@ def write_analysis_task(folder: str, inputs: AnalysisInputs) -> None:
     _write_record(Path(folder), {"analysis": write_inputs(Path(folder), inputs)})
 
 
+def write_saving_task(folder: str, objects: Sequence[Any], target: str, plots: str) -> None:
+    """Write what another process needs to save one analysis object into a folder, or the comparison of several."""
+    _write_record(Path(folder), {"saving": write_saving(Path(folder), objects, target, plots)})
+
+
 def write_voxel_task(folder: str, inputs: VoxelInputs) -> None:
     """Write what another process needs to compute a voxel design of which no document has an object yet."""
     _write_record(Path(folder), {"voxels": write_voxel_inputs(Path(folder), inputs)})
@@ -142,6 +148,9 @@ def run_task(folder: str, progress: Progress = silent) -> None:
     task = json.loads((place / _TASK).read_text(encoding="utf-8"))
     if "analysis" in task:
         results.save(str(place / _RESULTS), *run_inputs(place, task["analysis"], progress))
+        return
+    if "saving" in task:
+        run_saving(place, task["saving"], progress)
         return
     if "voxels" in task:
         results.save(str(place / _RESULTS), *run_voxel_inputs(place, task["voxels"], progress))

@@ -17,11 +17,13 @@ from ..errors import TrabeculaError
 from ..features.analysis import contours_at_hand
 from . import analysis_plots as plots
 from .analysis_plots import KINDS, number_text, title
+from .analysis_saving import ask_and_save
 from .chart import Chart, Diagram
 from .fields import row_widget
 from .qt import icon
 from .results_panel import fill, table
 from .slice_view import Slice, SlicePlane, SliceView, plane_box, plane_corners
+from .transactions import told
 from .view_providers import type_of
 
 translate = FreeCAD.Qt.translate
@@ -71,7 +73,10 @@ class AnalysisDock(QtGui.QDockWidget):
         left = QtGui.QWidget()
         column = QtGui.QVBoxLayout(left)
         column.setContentsMargins(0, 0, 0, 0)
-        for widget in (self.list, self.axes, self.number):
+        save = QtGui.QPushButton(translate("Trabecula", "Save …"))
+        save.setToolTip(translate("Trabecula", "Tables, report and plots of what is ticked, in a folder"))
+        save.clicked.connect(lambda *_: self._save())
+        for widget in (self.list, self.axes, self.number, save):
             column.addWidget(widget)
         left.setMaximumWidth(_LIST)
         split = QtGui.QSplitter()
@@ -249,6 +254,11 @@ class AnalysisDock(QtGui.QDockWidget):
         at = float(where[self.plane]) - self._origin() if self.plane < len(where) else None
         for chart in self.charts.values():
             chart.set_cursor(at)
+
+    def _save(self) -> None:
+        with told():
+            if self.ticked():
+                ask_and_save(self.ticked())
 
     # ------------------------------------------------------------------------------------------------- the 3D view
 

@@ -14,6 +14,7 @@ sys.path.append(str(Path(__file__).resolve().parent))
 from document_case import NO_BOOLEANS, DocumentCase, small_job
 
 from freecad_trabecula import make
+from freecad_trabecula.core.analysis.folder import load_analysis
 from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.booleans import manifold_available
 from freecad_trabecula.errors import ParameterError, TrabeculaError
@@ -157,6 +158,26 @@ class AnalysisTest(DocumentCase):
         for axis in "xyz":
             self.assertTrue(np.array_equal(after.profiles[axis].sliced_area, before.profiles[axis].sliced_area))
             self.assertEqual(len(contours_at_hand(obj, axis)), len(before.measures[axis]))
+
+    def test_a_folder_holds_all_that_was_measured_also_of_a_file_that_was_opened_again(self):
+        torus = self.document.addObject("Part::Torus", "Torus")
+        self.document.recompute()
+        name = make.make_analysis(self.document, torus, COARSE).Name
+        again = self.reopened().getObject(name)
+        make.analysis_of(again)  # of the document: without perimeters
+        with tempfile.TemporaryDirectory() as folder:
+            names = make.save_analysis(again, folder, plots="none")
+            self.assertEqual(sorted(names), sorted(path.name for path in Path(folder).iterdir()))
+            found = load_analysis(folder)
+        self.assertTrue(np.isfinite(found.measures["z"].perimeter).all())
+        self.assertTrue(
+            np.array_equal(found.profiles["x"].sliced_area, make.analysis_of(again).profiles["x"].sliced_area)
+        )
+
+    def test_an_unknown_kind_of_plots_is_refused(self):
+        obj = make.make_analysis(self.document, self.box(), COARSE)
+        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(ParameterError, "png, svg, pdf, none"):
+            make.save_analysis(obj, folder, plots="gif")
 
     def test_nothing_to_slice_is_refused_and_nothing_stays(self):
         plane = self.document.addObject("Part::Plane", "Plane")

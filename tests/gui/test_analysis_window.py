@@ -22,6 +22,7 @@ from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.analysing import is_busy
 from freecad_trabecula.gui.analysis_dock import KIND, dock_of_window, show_analyses
 from freecad_trabecula.gui.analysis_plots import KINDS, diagram_of
+from freecad_trabecula.gui.analysis_saving import save
 from freecad_trabecula.gui.chart import nice_steps
 from freecad_trabecula.gui.slice_view import PLATE, ROD, plane_corners
 from freecad_trabecula.gui.view_providers import type_of
@@ -274,6 +275,26 @@ class CompareTest(AnalysisCase):
         row = words.index("sliced area: L1")
         self.assertEqual(dock.figures.item(row, 3).text(), "0.5")  # along z 6 against 4 mm2
         self.assertEqual(self.dialogs, [])
+
+    def test_one_is_saved_and_both_are_saved_as_a_comparison(self):
+        for objects, files in (
+            (self.both[:1], ("report.json", "report.md", "profile_x.csv", "contours_z.csv")),
+            (self.both, ("report.json", "report.md")),
+        ):
+            with tempfile.TemporaryDirectory() as folder:
+                done = []
+                save(objects, folder, lambda done=done: done.append(True))
+                self.assertTrue(wait(lambda done=done: done or self.dialogs, 180))
+                self.assertEqual(self.dialogs, [])
+                found = os.listdir(folder)
+                self.assertEqual([name for name in files if name not in found], [])
+                self.assertEqual([name for name in found if name.endswith((".part", ".tmp"))], [])
+
+    def test_a_folder_that_cannot_be_written_is_told(self):
+        with tempfile.NamedTemporaryFile() as file:
+            save(self.both[:1], file.name, lambda: None)
+            self.assertTrue(wait(lambda: self.dialogs, 180))
+        self.assertIn("could not be made", self.dialogs[0])
 
     def test_analyses_with_nothing_in_common_are_told_apart_in_words(self):
         for axis, obj in zip("xy", self.both):

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Saves what the dock of slice analyses shows: tables, report and plots in a folder, written by another process."""
+
+from __future__ import annotations
+
+import importlib.util
+from typing import Any, Callable, List, Sequence
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from ..errors import TrabeculaError
+from ..features.analysis_files import NO_PLOTS
+from ..features.tasks import write_saving_task
+from .child_work import ChildWork, task_work
+from .recomputing import WorkBar
+from .transactions import say, told
+
+translate = FreeCAD.Qt.translate
+_works: List[ChildWork] = []
+
+
+def ask_and_save(objects: Sequence[Any]) -> None:
+    """Ask for a folder and save one analysis there, or the comparison of several."""
+    folder = QtGui.QFileDialog.getExistingDirectory(
+        FreeCADGui.getMainWindow(), translate("Trabecula", "Folder for tables, report and plots")
+    )
+    if folder:
+        save(objects, folder, lambda: say(translate("Trabecula", "Tables, report and plots are in {}").format(folder)))
+
+
+def save(objects: Sequence[Any], folder: str, done: Callable[[], None]) -> None:
+    """Save one analysis, or the comparison of several; the status bar shows how far it is and can end it.
+
+    Parameters
+    ----------
+    objects : sequence of document objects
+        Analyses that are up to date.
+    folder : str
+    done : callable
+        Called when all is written.
+
+    Raises
+    ------
+    TrabeculaError
+        If the work cannot be started.
+    """
+    plots = "png" if importlib.util.find_spec("matplotlib") else NO_PLOTS
+    work = task_work(lambda place: write_saving_task(place, objects, folder, plots))
+
+    def end() -> None:
+        bar.hide()
+        bar.deleteLater()
+
+    def fail(text: str) -> None:
+        end()
+        with told():
+            raise TrabeculaError(text)
+
+    def cancel() -> None:
+        work.cancel()
+        end()
+
+    bar = WorkBar(cancel)
+    work.progressed.connect(bar.show_progress)
+    work.succeeded.connect(lambda _: (end(), done()))
+    work.failed.connect(fail)
+    work.process.finished.connect(lambda *_: _works.remove(work))
+    _works.append(work)
+    bar.show_start()
+    work.start()
