@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import json
 import platform
 from pathlib import Path
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Tuple
@@ -17,6 +18,7 @@ from ..core.analysis.cli_layers import write_cli
 from ..core.analysis.contours import Contours
 from ..core.analysis.folder import PAGE, REPORT, save_analysis
 from ..core.analysis.plots import analysis_figures, require_matplotlib, save_figure
+from ..core.analysis.report import KIND
 from ..core.analysis.report_text import analysis_summary
 from ..core.analysis.ssl import write_ssl
 from ..core.analysis.svg_layers import write_svg
@@ -58,6 +60,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
         require_openpyxl()
     if Path(options["file"]).is_dir():
         raise ParameterError(f"a file must be analysed, got the folder {options['file']}")
+    require_own_folder(options["out"], KIND)
     kind = plots_kind(options["plots"], report)
     progress = progress_of(report)
     with ResultFolder(options["out"]) as folder:
@@ -126,6 +129,25 @@ def _write_more(analysis: Analysis, workbook: bool, kind: str, folder: ResultFol
 
 
 # --------------------------------------------------------------------------------------- what compare does the same way
+
+
+def require_own_folder(path: str, kind: str) -> None:
+    """Make sure that a folder holds no report of another kind, which would be overwritten.
+
+    Raises
+    ------
+    ParameterError
+        If it does.
+    """
+    try:
+        record = json.loads((Path(path) / REPORT).read_text(encoding="utf-8"))
+    except (OSError, ValueError):  # there is none, or it is nobody's
+        return
+    if isinstance(record, dict) and record.get("kind") != kind:
+        raise ParameterError(
+            f"the folder of a {kind} must not be that of something else: {path} holds the {REPORT} of "
+            f"{'a ' + str(record['kind']) if record.get('kind') else 'a design'}"
+        )
 
 
 def progress_of(report: Report) -> Progress:

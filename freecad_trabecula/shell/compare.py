@@ -8,12 +8,12 @@ from typing import Any, Dict, List, Tuple
 
 from ..core.analysis.analysis import Analysis
 from ..core.analysis.comparison import compare
-from ..core.analysis.comparison_report import PAGE, REPORT, comparison_summary, save_comparison
+from ..core.analysis.comparison_report import KIND, PAGE, REPORT, comparison_summary, save_comparison
 from ..core.analysis.passport import passport
 from ..core.analysis.plots import comparison_figures
 from ..core.analysis.report import analysis_checks, analysis_faults
 from ..core.progress import part
-from .analyse import Report, plots_kind, progress_of, versions, warn_of_old_files, write_figures
+from .analyse import Report, plots_kind, progress_of, require_own_folder, versions, warn_of_old_files, write_figures
 from .folder import ResultFolder
 from .samples import Sample, read_sample
 
@@ -33,6 +33,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
     TrabeculaError
         For wrong input and whatever else goes wrong; nothing is then written.
     """
+    require_own_folder(options["out"], KIND)
     kind = plots_kind(options["plots"], report)
     progress = progress_of(report)
     paths = options["samples"]

@@ -450,3 +450,11 @@ def test_files_of_an_earlier_run_are_replaced_or_pointed_out(tmp_path):
     assert done.returncode == 0
     assert "profile_y.csv, slices_x.ssl in" in done.stderr and "belong to an earlier run" in done.stderr
     assert (out / "profile_x.csv").read_text() != "old" and (out / "mine.txt").read_text() == "old"
+
+
+def test_the_report_of_a_design_is_not_overwritten(tmp_path):
+    stl.write_stl(tmp_path / "scaffold.stl", cavity())
+    (tmp_path / "report.json").write_text('{"rods": 27}')
+    done = analyse(tmp_path / "scaffold.stl", *FEW, "--out", tmp_path)
+    assert done.returncode == 2 and "holds the report.json of a design" in done.stderr
+    assert names(tmp_path) == ["report.json", "scaffold.stl"]

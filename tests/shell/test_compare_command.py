@@ -139,3 +139,11 @@ def test_wrong_input_is_exit_code_2_one_sentence_and_no_folder(samples, others, 
     assert re.search(message, done.stderr), done.stderr
     assert len(done.stderr.splitlines()) == 1 and done.stdout == ""
     assert names(tmp_path) == [] and names(samples) == before
+
+
+def test_the_folder_of_a_sample_is_not_overwritten(samples):
+    before = (samples / "earlier" / "report.json").read_bytes()
+    done = run("compare", samples / "earlier", samples / "slab.stl", *FEW, "--out", samples / "earlier")
+    assert done.returncode == 2
+    assert "must not be that of something else" in done.stderr and "of a slice analysis" in done.stderr
+    assert (samples / "earlier" / "report.json").read_bytes() == before

@@ -13,13 +13,14 @@ from typing import Any, List, Mapping, Tuple, Union
 
 import numpy as np
 
-from ...errors import DependencyError
+from ...errors import DependencyError, ParameterError
 from ..progress import Progress, silent
 from ..stl import whole_file
 from .contours import ContourMeasures
 from .profiles import Profile
 
 INSTALL = "python3 -m pip install openpyxl (Debian: apt install python3-openpyxl)"
+_MOST_ROWS = 1_048_576  # of a sheet of XLSX, the titles among them
 _BLOCK = 2000  # rows between two reports of progress
 _WIDTH = 20  # of a column, letters
 
@@ -74,10 +75,18 @@ def write_workbook(
     ------
     DependencyError
         If openpyxl is missing.
+    ParameterError
+        If there are more contours along an axis than a sheet has rows.
     ExportError
         If the file cannot be written; what stood under that name before stays.
     """
     openpyxl = require_openpyxl()
+    for axis, own in measures.items():
+        if max(len(own), len(profiles[axis])) >= _MOST_ROWS:
+            raise ParameterError(
+                f"a sheet of a workbook holds at most {_MOST_ROWS - 1} contours, got {len(own)} along {axis}; thicker "
+                "layers have fewer"
+            )
     book = openpyxl.Workbook()  # one that writes as it goes leaves its files behind when it is stopped
     book.remove(book.active)
     bold = openpyxl.styles.Font(bold=True)

@@ -7,8 +7,9 @@ import builtins
 
 import pytest
 
+from freecad_trabecula.core.analysis import workbook
 from freecad_trabecula.core.analysis.workbook import template_head, write_workbook
-from freecad_trabecula.errors import Cancelled, DependencyError, ExportError
+from freecad_trabecula.errors import Cancelled, DependencyError, ExportError, ParameterError
 
 openpyxl = pytest.importorskip("openpyxl")
 
@@ -52,6 +53,13 @@ def test_without_openpyxl_the_message_says_how_to_get_it(measured, tmp_path, mon
 
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(DependencyError, match="pip install openpyxl"):
+        write_workbook(tmp_path / "a.xlsx", measured.profiles, measured.measures)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_more_contours_than_a_sheet_has_rows_are_refused(measured, tmp_path, monkeypatch):
+    monkeypatch.setattr(workbook, "_MOST_ROWS", 32)
+    with pytest.raises(ParameterError, match="at most 31 contours, got 32 along x"):
         write_workbook(tmp_path / "a.xlsx", measured.profiles, measured.measures)
     assert list(tmp_path.iterdir()) == []
 
