@@ -17,6 +17,7 @@ from .qt import paper_and_ink
 
 _LEFT, _RIGHT, _TOP, _BOTTOM = 58, 12, 22, 34  # pixels around the axes
 _TICKS = 6  # about so many along an axis
+_CURSOR = "#3a8ee6"  # stands out on light and on dark
 #: Few to many: Viridis without its darkest end (BSD, van der Walt, Smith).
 _SCALE = np.array([(68, 57, 131), (49, 104, 142), (33, 145, 140), (94, 201, 98), (253, 231, 37)], float)
 
@@ -171,7 +172,7 @@ class Chart(QtGui.QWidget):
         if self._cursor is not None and self.diagram.x_label:
             box, share = self.box(), float(self._axes[0].share(self._cursor))
             if 0 <= share <= 1:
-                painter.setPen(QtGui.QPen(self.palette().color(QtGui.QPalette.Highlight), 1.5))
+                painter.setPen(QtGui.QPen(QtGui.QColor(_CURSOR), 1.5))
                 x = box.left() + share * box.width()
                 painter.drawLine(QtCore.QPointF(x, box.top()), QtCore.QPointF(x, box.bottom()))
         painter.end()
