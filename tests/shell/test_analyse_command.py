@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from freecad_trabecula.core import mesh_formats, meshes, stl
+from freecad_trabecula.core.analysis.ssl import read_ssl
 
 ROOT = Path(__file__).resolve().parents[2]
 #: -S leaves out the folders where numpy is: a Python with the standard library alone.
@@ -239,6 +240,29 @@ def test_real_bone_is_analysed_and_its_crossing_facets_are_said(tmp_path):
     assert "225 facets through others" in done.stdout
     for axis in "xyz":
         assert report["axes"][axis]["summary"]["mean_bone_fraction"] == pytest.approx(0.19, abs=0.002)
+
+
+@pytest.mark.skipif(not (DATA / "slice_reference.json").is_file(), reason=f"no slice_reference.json in {DATA}")
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+@pytest.mark.parametrize("name", ["trab_ior_1p17mm_tiny", "shrew_cube_10mm"])
+def test_tables_and_layers_hold_the_areas_that_another_program_found(name, axis, tmp_path):
+    known = json.loads((DATA / "slice_reference.json").read_text())[name]["axes"][axis]
+    heights = ",".join(map(repr, known["plane"]))
+    words = ("--axes", axis, f"--heights={heights}", "--ssl", "--thickness", 0.1, *FEW, "--out", tmp_path / "out")
+    done = analyse(DATA / f"{name}.stl", *words)
+    assert done.returncode == 0, done.stderr
+    rows = rows_of(tmp_path / "out" / f"profile_{axis}.csv")
+    assert [float(row["sliced_area_mm2"]) for row in rows] == pytest.approx(known["area_mm2"], rel=1e-12)
+    assert [int(row["outer_contours"]) for row in rows] == known["outer_contours"]
+    holes = [int(row["contours"]) - int(row["outer_contours"]) for row in rows]
+    assert holes == known["holes"]
+    layers = read_ssl(tmp_path / "out" / f"slices_{axis}.ssl", axis).contours
+    assert layers.closed.all()
+    x, y = layers.points.T
+    after = np.arange(1, len(x) + 1)
+    after[layers.starts[1:] - 1] = layers.starts[:-1]
+    areas = np.bincount(np.repeat(layers.plane, np.diff(layers.starts)), (x * y[after] - x[after] * y) / 2)
+    assert areas == pytest.approx(known["area_mm2"], rel=2e-6)  # six decimals
 
 
 # --------------------------------------------------------------------------------- meshes that cannot be trusted: 1
