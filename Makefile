@@ -4,6 +4,7 @@
 # make test         all tests on this machine's FreeCAD; ONLY="tests/core tests/gui/test_x.py" and MATCH=word choose some
 # make test-latest  the same on the newest FreeCAD of Debian, in a root of its own (tools/newest_freecad.sh)
 # make validate     the thesis' tables beside ours        make bench    our time beside a rival's
+# make brep         the B-Rep engine on cases 1 to 6: how far, time, memory, volumes (CASES="case1 case2" chooses)
 # make same-seed    the same designs on both FreeCADs, compared
 # make gallery      pictures of every panel and design    make lint     ruff and the test of the layers
 # make setup        what the others do first: installs what is missing by apt and pip, and says what
@@ -13,10 +14,10 @@ PYTHON = /usr/bin/python3
 LATEST = sh tools/newest_freecad.sh run
 CHOICE = $(if $(ONLY),--only $(ONLY)) $(if $(MATCH),--match $(MATCH))
 
-.PHONY: help setup test test-latest same-seed demo bench validate gallery lint format clean
+.PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery lint format clean
 
 help:
-	@sed -n '3,10s/^# \{0,1\}//p' Makefile
+	@sed -n '3,11s/^# \{0,1\}//p' Makefile
 
 setup:
 	@sh tools/setup.sh
@@ -31,6 +32,14 @@ test-latest:
 
 demo bench validate gallery: setup
 	@$(PYTHON) tools/$@.py $(ARGS)
+
+brep: setup
+	@$(PYTHON) tools/brep_table.py $(CASES)
+
+brep-latest:
+	@sh tools/newest_freecad.sh build
+	@$(LATEST) sh tools/setup.sh
+	@$(LATEST) $(PYTHON) tools/brep_table.py $(CASES)
 
 # One seed, one result: the same designs on both FreeCADs, compared number by number.
 same-seed: setup

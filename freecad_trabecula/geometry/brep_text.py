@@ -43,12 +43,12 @@ class BrepText:
         """Add a straight line in a surface's parameters."""
         return self._add("Curve2ds", "1 " + _text([*point, *direction]))
 
-    def add_spline_2d(self, poles: Sequence[object], knots: Sequence[object]) -> int:
-        """Add a C1 cubic B-spline in a surface's parameters: poles flat (2 * 2K), knots (K)."""
-        return self._add("Curve2ds", _spline_text("7 0 0 3", poles, 2, knots, 3))
+    def add_spline_2d(self, poles: Sequence[object], knots: Sequence[object], degree: int = 3) -> int:
+        """Add a B-spline in a surface's parameters: poles flat, knots (K); degrees as for ``add_spline``."""
+        return self._add("Curve2ds", _spline_text(f"7 0 0 {degree}", poles, 2, knots, degree))
 
     def add_spline(self, poles: Sequence[object], knots: Sequence[object], degree: int = 3) -> int:
-        """Add a B-spline in space: poles flat, knots (K); a cubic is C1 and has 2K poles, a line K = 2."""
+        """Add a B-spline in space: poles flat, knots (K); a cubic is C1 and has 2K poles, a polygon (degree 1) K."""
         return self._add("Curves", _spline_text(f"7 0 0 {degree}", poles, 3, knots, degree))
 
     def add_line(self, point: Sequence[object], direction: Sequence[object]) -> int:
@@ -129,7 +129,9 @@ def _text(numbers: Sequence[object]) -> str:
 
 def _knots_text(knots: Sequence[object], degree: int) -> str:
     last = len(knots) - 1
-    return " ".join([f"{_text([k])} {degree + 1 if i in (0, last) else degree - 1}" for i, k in enumerate(knots)])
+    return " ".join(
+        [f"{_text([k])} {degree + 1 if i in (0, last) else max(degree - 1, 1)}" for i, k in enumerate(knots)]
+    )
 
 
 def _spline_text(head: str, poles: Sequence[object], size: int, knots: Sequence[object], degree: int) -> str:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""B-Rep engine: the scaffold as a solid, rods cut away group by group, every step held against the mesh engine.
+"""B-Rep engine: the scaffold as a solid, held against the mesh engine.
 
-The kernel's Booleans return valid solids of wrong volume without a word (40 rods: 0.47 mm3 where 912 was right), so a
-step counts only if it takes away what the exact mesh Boolean takes away. A group that comes out wrong is undone and
-halved, down to single rods; a rod that cannot be cut in any way ends the work, and what was reached is told.
+In a polyhedron the solid is made of patches of its planes and of the rods' surfaces, without any Boolean of the kernel
+(``patch_solids``). In other envelopes, and where that does not succeed, rods are cut away group by group. The kernel's
+Booleans return valid solids of wrong volume without a word (40 rods: 0.47 mm3 where 912 was right), so a step counts
+only if it takes away what the exact mesh Boolean takes away. A group that comes out wrong is undone and halved, down to
+single rods; a rod that cannot be cut in any way ends the work, and what was reached is told.
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from __future__ import annotations
 import resource
 import sys
 import time
-from typing import List, NamedTuple
+from typing import List, NamedTuple, Optional
 
 import numpy as np
 import Part
@@ -20,10 +22,12 @@ from ..core.booleans import CutSteps
 from ..core.parameters import RodParameters, ScaffoldParameters
 from ..core.progress import Progress, silent
 from ..core.rods import rod_mesh
+from ..core.strips import rod_strips
 from ..core.wireframe import Wireframe, skin
-from ..errors import EnvelopeError, KernelError, ParameterError
+from ..errors import EnvelopeError, KernelError, MeshError, ParameterError
 from .brep_text import read_brep
 from .envelopes import Envelope
+from .patch_solids import patch_solids
 from .rod_solids import rod_texts
 
 GROUP = 8  # rods cut at once
@@ -94,6 +98,15 @@ def cut_solid(
             "mesh engine"
         )
     work = _Work(envelope, wireframe, rods, parameters, progress)
+    if len(wireframe) and all(isinstance(face.Surface, Part.Plane) for face in envelope.solid.Faces):
+        made = work.of_patches()
+        if made is not None:
+            return made
+    return cut_by_steps(work)
+
+
+def cut_by_steps(work: _Work) -> SolidCut:
+    """Return the scaffold, its rods cut away by the kernel's Booleans, as far as it comes."""
     work.run()
     return work.result()
 
@@ -110,6 +123,7 @@ class _Work:
         progress: Progress,
     ) -> None:
         self._wireframe, self._limits, self._progress = wireframe, limits, progress
+        self._envelope = envelope
         self._halves = max((rods.stations - 1) // 2, 1)
         self._texts = rod_texts(wireframe, self._halves, _BEYOND)
         self._vertices, self._triangles = rod_mesh(skin(wireframe, rods), _BEYOND)
@@ -119,6 +133,25 @@ class _Work:
         self._shape = envelope.solid
         self._volume = envelope.volume
         self._done, self._reason, self._start = 0, "", time.perf_counter()
+        self._before = ""  # what was tried first, and why it did not succeed
+
+    def of_patches(self) -> Optional[SolidCut]:
+        """Return the scaffold made of patches, or None if that does not succeed."""
+        strips = rod_strips(self._wireframe.paths, self._wireframe.ends, self._halves, _BEYOND)
+        self._steps.cut(self._vertices, self._triangles)
+        mesh_volume = self._steps.volume
+        self._steps.undo()
+        try:
+            made = patch_solids(strips, self._envelope.mesh, self._limits.keep_loose, self._within_budget)
+        except (KernelError, MeshError) as error:
+            self._before = f"no solid of patches: {error}; then "
+            return None
+        if not made.solids or abs(made.volume / mesh_volume - 1) > VOLUME_TOLERANCE:
+            self._before = f"no solid of patches: {made.volume:g} mm3 against {mesh_volume:g} of the mesh; then "
+            return None
+        shape = made.solids[0] if len(made.solids) == 1 else Part.makeCompound(made.solids)
+        total, seconds = len(self._wireframe), time.perf_counter() - self._start
+        return SolidCut(shape, total, total, "", made.volume, mesh_volume, seconds)
 
     def run(self) -> None:
         """Cut group after group until all are cut, or something forbids it."""
@@ -159,6 +192,13 @@ class _Work:
         self._shape, self._volume, self._done = shape, volume, self._done + len(group)
         return True
 
+    def _within_budget(self, done: float, total: float, what: str) -> None:
+        """Progress that ends the work when a budget is used up."""
+        self._progress(done, total, what)
+        spent = self._over_budget()
+        if spent:
+            raise KernelError(spent)
+
     def _over_budget(self) -> str:
         seconds = time.perf_counter() - self._start
         if seconds > self._limits.seconds:
@@ -183,4 +223,5 @@ class _Work:
         if not self._limits.keep_loose:
             shape = max(shape.Solids, key=lambda solid: solid.Volume)
         seconds = time.perf_counter() - self._start
-        return SolidCut(shape, self._done, len(self._wireframe), self._reason, volume, mesh_volume, seconds)
+        reason = self._before + self._reason if self._reason else ""
+        return SolidCut(shape, self._done, len(self._wireframe), reason, volume, mesh_volume, seconds)
