@@ -118,6 +118,7 @@ def contours(path, count):
             counted = np.abs(m.area) > 1e-6
             found.append((np.bincount(m.plane, m.area, count), np.bincount(m.plane, np.abs(m.area), count),
                           np.bincount(m.plane[counted], minlength=count), int((~slices.closed).sum())))  # fmt: skip
+            del slices, m
         return found
 
     return work
@@ -385,9 +386,12 @@ def draw(by_triangles, by_planes):
         axes[1].loglog(*list(zip(*rows))[:2], "o-", label=f"{count:,} triangles")
     axes[1].set_xlabel("planes along each of 3 axes")
     axes[0].set_ylabel("CPU seconds, file to results")
-    for axis in axes:
-        axis.grid(True, which="both", alpha=0.3)
-        axis.legend()
+    for axis, ticks in zip(axes, ([3e5, 1e6, 2e6, 4e6], GROWTH_PLANES)):
+        axis.set_xticks(ticks, [f"{tick:,.0f}" for tick in ticks], minor=False)
+        axis.set_yticks([0.1, 0.2, 0.5, 1, 2, 5, 10], ["0.1", "0.2", "0.5", "1", "2", "5", "10"], minor=False)
+        axis.minorticks_off()
+        axis.grid(True, alpha=0.3)
+        axis.legend(loc="upper left")
     figure.tight_layout()
     path = ROOT / "docs" / "pictures" / "slices-growth.png"
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -96,6 +96,7 @@ def analyse(soup: Soup, parameters: Optional[SliceParameters] = None, morphometr
             branches[axis] = trace_branches(contours, measures[axis], least, progress=part(step, 0.9, 1.0))
         area, name = _envelope_area(corners, contours, parameters, envelope)
         profiles[axis] = make_profile(contours, measures[axis], parameters, area, repairs[axis].spoilt, name)
+        del contours, corners  # before those of the next axis are made
     done = 0.05 + share * len(parameters.axes)
     facts = mesh_facts(soup, partners, part(progress, done, done + 0.25))
     whole = None

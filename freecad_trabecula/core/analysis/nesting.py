@@ -61,13 +61,9 @@ def contour_parents(polygons: Polygons) -> np.ndarray:
     """
     parent = np.full(len(polygons.plane), -1, np.int64)
     inner, outer = np.zeros(len(parent), bool), np.zeros(len(parent), bool)
-    low, high = polygons.low, polygons.high
-    for a, b in _pairs_of_opposite_sign(polygons):
-        low_a, low_b, high_a, high_b = low[:, a], low[:, b], high[:, a], high[:, b]
-        for one, other, within in ((a, b, (low_b <= low_a) & (high_a <= high_b)),
-                                   (b, a, (low_a <= low_b) & (high_b <= high_a))):  # fmt: skip
-            found = np.flatnonzero(within[0] & within[1])
-            inner[one[found]] = outer[other[found]] = True
+    for hole, solid in _pairs_of_opposite_sign(polygons):
+        for one, other in (_boxed(polygons, hole, solid), _boxed(polygons, solid, hole)):
+            inner[one] = outer[other] = True
     if not inner.any():
         return parent
     rays, hosts = _rays(polygons, np.flatnonzero(inner)), np.flatnonzero(outer)
@@ -86,6 +82,15 @@ def contour_parents(polygons: Polygons) -> np.ndarray:
     order = np.argsort(-np.abs(polygons.area[b]), kind="stable")
     parent[a[order]] = b[order]  # the smallest is written last
     return parent
+
+
+def _boxed(polygons: Polygons, one: np.ndarray, other: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Those pairs in which the box of one lies in the box of the other; each side leaves fewer for the next."""
+    for k in range(2):
+        for side in (polygons.low[k], -polygons.high[k]):
+            fits = np.flatnonzero(side[other] <= side[one])
+            one, other = one[fits], other[fits]
+    return one, other
 
 
 def _pairs_of_opposite_sign(polygons: Polygons) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
@@ -140,7 +145,7 @@ def _hits(polygons: Polygons, rays: _Rays, hosts: np.ndarray) -> np.ndarray:
     u, v = polygons.points[source, 0], polygons.points[source, 1]
     after = np.arange(1, len(u) + 1)
     after[begins + sizes - 1] = begins
-    cell = rays.cell(v) + np.repeat(polygons.plane[hosts] * rays.cells, sizes)
+    cell = rays.cell(v) + np.repeat((polygons.plane[hosts] * rays.cells).astype(np.int32), sizes)
     other = cell[after]
     low = rays.before[np.minimum(cell, other)]
     number = rays.before[np.maximum(cell, other) + 1] - low
