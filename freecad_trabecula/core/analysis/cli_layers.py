@@ -17,7 +17,7 @@ from ...errors import ParameterError
 from ..progress import Progress, silent
 from ..stl import whole_file
 from .contours import Contours
-from .ssl import distinct_corners
+from .layer_corners import distinct_corners
 
 _DECIMALS = 6  # 1 nm
 

@@ -30,6 +30,8 @@ from ...errors import ContourError, ExportError, ParameterError
 from ..progress import Progress, silent
 from ..stl import whole_file
 from .contours import Contours
+from .layer_corners import distinct_corners
+from .triangles import LARGEST
 
 #: mm in the units that a file can name.
 UNITS = {"mm": 1.0, "inch": 25.4}
@@ -238,6 +240,7 @@ class _Layers:
         """Return what was collected, in mm, layers in ascending order."""
         unit, scale = self._scale(unit)
         table = np.array([layer[:2] for layer in self.layers], float).reshape(-1, 2)
+        self._within(table * scale, [layer[2] for layer in self.layers])
         order = np.argsort(table[:, 0], kind="stable")
         if (order != np.arange(len(order))).any():
             self.count("the layers stand in another order than their co-ordinates; they were sorted")
@@ -257,7 +260,7 @@ class _Layers:
         return unit, UNITS[unit]
 
     def _contours(self, axis: str, order: np.ndarray, heights: np.ndarray, scale: float) -> Contours:
-        corners = self._corners() * scale
+        corners = self._within(self._corners() * scale, self.rows)
         starts, closed = np.array(self.starts), np.array(self.closed, bool)
         layer = np.argsort(order, kind="stable")[np.array(self.layer_of, int)] if len(closed) else np.zeros(0, int)
         ranges = [np.arange(a, b) for a, b in zip(starts[:-1], starts[1:])]
@@ -299,6 +302,13 @@ class _Layers:
         values = _floats(line.partition(b"#")[0].split())
         if len(values) != 2 or not np.isfinite(values).all() or b"_" in line.partition(b"#")[0]:
             raise self.refuse(row, "a corner must be two finite numbers", line)
+        return values
+
+    def _within(self, values: np.ndarray, rows: Sequence[int]) -> np.ndarray:
+        """Return numbers in mm (N, 2) as they are; a line with one that cannot be is named."""
+        beyond = np.flatnonzero((np.abs(values) > LARGEST).any(1))
+        if len(beyond):
+            raise self.refuse(rows[beyond[0]], f"co-ordinates must be at most {LARGEST:g} mm")
         return values
 
     def _notes(self) -> Tuple[str, ...]:
@@ -364,33 +374,3 @@ def write_ssl(
                 parts.append("C\n" if closed[contour] else "O\n")
             file.write("".join(parts).encode("ascii"))
         file.write(b"END\n")
-
-
-def distinct_corners(
-    contours: Contours, scale: float, decimals: int
-) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return points, starts, plane, closed as a text file holds them: rounded, without corners that fall together.
-
-    Closed contours that are left with fewer than three corners, and open ones with fewer than two, have no extent at
-    this precision and are left out.
-
-    Parameters
-    ----------
-    contours : Contours
-    scale : float, mm
-        Of one unit of the file.
-    decimals : int
-    """
-    points = np.round(contours.points / scale, decimals) + 0.0  # + 0.0: no minus zero
-    counts = np.diff(contours.starts)
-    of_point = np.repeat(np.arange(len(counts)), counts)
-    before = np.arange(len(points)) - 1
-    before[contours.starts[:-1][counts > 0]] = contours.starts[1:][counts > 0] - 1  # the first follows the last ...
-    same = (points == points[before]).all(1)
-    opens = contours.starts[:-1][(counts > 0) & ~contours.closed]
-    same[opens] = False  # ... unless the polyline is open
-    left = np.bincount(of_point[~same], minlength=len(counts))
-    keep = left >= np.where(contours.closed, 3, 2)
-    rows = ~same & keep[of_point]
-    starts = np.concatenate([[0], np.cumsum(left[keep])]).astype(int)
-    return points[rows], starts, contours.plane[keep], contours.closed[keep]

@@ -184,6 +184,8 @@ def test_contours_without_extent_are_left_out_and_said(tmp_path):
         (lambda t: t.replace("5 0\n", "5 0 1\n"), "line 7: a corner"),
         (lambda t: t.replace("5 0\n5 5\n", "5 0 5\n5\n"), "line 7: a corner"),
         (lambda t: t.replace("5 0\n", "5 1e999\n"), "line 7: a corner must be two finite numbers"),
+        (lambda t: t.replace("5 0\n", "5 1e30\n"), r"line 7: co-ordinates must be at most 1e\+06 mm"),
+        (lambda t: t.replace("Z 0.1 0.1", "Z 1e9 0.1"), "line 5: co-ordinates must be at most"),
         (lambda t: t.replace("5 0\n", "5 1_0\n"), "line 7: a corner"),
         (lambda t: t.replace("5 0\n", "nan 0\n"), "line 7: a line must be"),
         (lambda t: t.replace("5 0\n", "__import__('os')\n"), "line 7: a line must be .* got \"__import__"),
