@@ -8,6 +8,9 @@ import numpy as np
 import pytest
 
 from freecad_trabecula.core.analysis import passport as p
+from freecad_trabecula.core.analysis.analysis import analyse
+from freecad_trabecula.core.analysis.parameters import SliceParameters
+from freecad_trabecula.core.analysis.triangles import Soup
 from freecad_trabecula.errors import ParameterError
 
 
@@ -144,3 +147,29 @@ def test_analyses_with_nothing_in_common_are_refused():
         p.passport(sample("a", [1], [1.0], axes="x"), sample("b", [1], [1.0], axes="z"))
     with pytest.raises(ParameterError, match="share at least one layer of 2 mm"):
         p.passport(sample("a", [1], [1.0]), sample("b", [1], [1.0]), thickness=2.0)
+
+
+def rods(*corners):
+    """Triangles of boxes, given as pairs of corners."""
+    faces = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2)]
+    faces += [(2, 4, 6), (1, 3, 5), (3, 7, 5)]
+    points = [[[(low, high)[n >> k & 1][k] for k in range(3)] for n in range(8)] for low, high in corners]
+    return np.concatenate([np.array(eight, np.float32)[np.array(faces)] for eight in points])
+
+
+def test_whole_analyses_are_scored_from_triangles_on():
+    # one rod and two rods of 2 x 2 mm in boxes of the same size: sliced area along z 4 and 8 mm2 everywhere
+    frame = ([0, 0, 0], [10, 1, 10])
+    one = Soup(rods(frame, ([4, 4, 0], [6, 6, 10])), source="one")
+    two = Soup(rods(frame, ([4, 4, 0], [6, 6, 10]), ([0, 4, 0], [2, 6, 10])), source="two")
+    first, second = (analyse(soup, SliceParameters(thickness=0.25), morphometry=False) for soup in (one, two))
+    found = p.passport(first, second)
+    assert found.names == ("one", "two")
+    scores = found.axes["z"]
+    assert value(scores, "sliced area", "L1") == pytest.approx(4 / 14, rel=1e-6)
+    assert value(scores, "contours", "dmean") == 1.0
+    assert value(scores, "porosity", "dmean") == pytest.approx(-4 / 60, rel=1e-6)
+    assert value(scores, "trabecular area", "KS") == pytest.approx(2 / 3 - 1 / 2)  # of areas 10, 4 and 10, 4, 4
+    again = p.passport(first, analyse(one, SliceParameters(thickness=0.25), morphometry=False))
+    assert {row[3] for row in again.rows() if row[2] != "r" and math.isfinite(row[3])} == {0.0}
+    assert {row[3] for row in again.rows() if row[2] == "r"} == {1.0}
