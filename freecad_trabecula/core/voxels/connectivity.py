@@ -95,19 +95,27 @@ def corner_contact_changes(codes: np.ndarray) -> np.ndarray:
     codes : ndarray of shape (C,), int32
         Neighbour codes with all 26 bits.
     """
-    steps = [tuple(s) for s in STEPS.tolist()]
     change = np.zeros(codes.shape, np.int8)
-    for corner in CORNERS:
-        others = [
-            steps.index(tuple(c if keep else 0 for c, keep in zip(corner, kept)))
-            for kept in product((False, True), repeat=3)
-            if any(kept) and not all(kept)
-        ]
-        near = sum(1 << bit for bit in others)
-        far = 1 << steps.index(corner)
-        octant = codes & (near | far)
-        change += (octant == far).astype(np.int8) - (octant == near).astype(np.int8)
+    for whole, far, pairs in _octants():
+        octant = codes & whole
+        change += (octant == far).astype(np.int8) - (octant == whole ^ far).astype(np.int8)
+        for pair in pairs:
+            change += (octant == whole ^ pair).astype(np.int8) - (octant == pair).astype(np.int8)
     return change
+
+
+@lru_cache(maxsize=1)
+def _octants() -> tuple:
+    """Return for the 8 blocks of 2 x 2 x 2 at a voxel the bits of its 7 others, of the opposite one, of 3 pairs."""
+    bits = {tuple(step): 1 << bit for bit, step in enumerate(STEPS.tolist())}
+    found = []
+    for corner in CORNERS:
+        cells = [tuple(c if keep else 0 for c, keep in zip(corner, kept)) for kept in product((False, True), repeat=3)]
+        others = [cell for cell in cells if any(cell)]
+        opposite = {cell: tuple(c - a for c, a in zip(corner, cell)) for cell in others if cell != corner}
+        pairs = {bits[cell] | bits[other] for cell, other in opposite.items()}
+        found.append((sum(bits[cell] for cell in others), bits[corner], tuple(sorted(pairs))))
+    return tuple(found)
 
 
 def parts(solid: np.ndarray) -> tuple:
@@ -204,6 +212,8 @@ class Solid:
 
     #: Layers of void around the box.
     pad = 1
+    #: Whether any void voxel beside the solid may be filled, whatever else the solid must keep.
+    may_be_filled = True
 
     def __init__(
         self, voxels: np.ndarray, mask: Optional[np.ndarray] = None, no_edges: bool = False, no_corners: bool = False
@@ -269,8 +279,11 @@ class Solid:
         code = self.codes(index, self.no_corners)
         low = code & _LOW_BITS
         good = (self.flat[index] == 0) & ((low & _FACE_BITS) > 0) & (face_groups()[_LOW_BITS ^ low] <= 1)
-        good &= self._inside[index] if self.allowed is None else self.allowed[index]
-        return good & self._rules_kept(code, 1)
+        return good & self.may_hold(index) & self._rules_kept(code, 1)
+
+    def may_hold(self, index: np.ndarray) -> np.ndarray:
+        """Return which voxels (C,) are in the box and the mask; bool (C,)."""
+        return self._inside[index] if self.allowed is None else self.allowed[index]
 
     def removable(self, index: np.ndarray) -> np.ndarray:
         """Return which voxels (C,) are solid and may become void; bool (C,)."""

@@ -15,11 +15,12 @@ import numpy as np
 
 from ...errors import ExactnessError
 from ..streams import mix
-from .connectivity import Solid
+from .connectivity import Solid, closed_cavities
 from .exact_moves import ExactMoves
 
 _ROUNDS = 200
 _SHAKES = 100  # voxels beside contacts that resist are flipped at random, so often at most
+_FILLING = 8  # every so many shakes what still resists is filled, and the cavities that this closes
 _COST = 3.0  # contacts undone that one field unit away from the level outweighs
 _MOST_COST = 2.0
 _NEED = 0.1  # contacts undone that a layer which needs the flip outweighs
@@ -124,7 +125,7 @@ def remove_contacts(moves: ExactMoves, corners: bool = False) -> Tuple[int, int]
         flipped = _undo_some(moves, sites, corners)
         if not len(flipped):
             shakes += 1
-            flipped = _shake(moves, sites, shakes)
+            flipped = _filled(moves, sites) if shakes % _FILLING == 0 else _shake(moves, sites, shakes)
         if not len(flipped) or shakes > _SHAKES:
             break
         edges = _kept_sites(_still_edges(solid, edges), _edge_sites_near(solid, flipped))
@@ -175,3 +176,17 @@ def _shake(moves: ExactMoves, index: np.ndarray, turn: int) -> np.ndarray:
     near = near[solid.apart(near)][: max(1, len(index) // 8)]
     moves.flip(near)
     return near
+
+
+def _filled(moves: ExactMoves, index: np.ndarray) -> np.ndarray:
+    """Make voxels (C,) at contacts solid where they may be, and cavities that this closes; returns what was flipped."""
+    solid = moves.solid
+    if not solid.may_be_filled:
+        return _shake(moves, index, 0)
+    index = index[(solid.flat[index] == 0) & solid.may_hold(index)]
+    moves.flip(index)
+    mask = None if solid.allowed is None else solid.allowed.reshape(solid.padded.shape)[(slice(1, -1),) * 3]
+    z, y, x = np.nonzero(closed_cavities(solid.voxels, mask)[0])
+    cavities = solid.index_of(z, y, x)
+    moves.flip(cavities)
+    return np.concatenate([index, cavities])

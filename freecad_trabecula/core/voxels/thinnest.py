@@ -83,6 +83,8 @@ class ThickSolid(Solid):
         Edges in voxels of the cubes that every solid voxel, every void voxel lies in.
     """
 
+    may_be_filled = False
+
     def __init__(self, voxels: np.ndarray, mask: Optional[np.ndarray], thickness: int, void: int) -> None:
         self.thickness, self.void = thickness, void
         self.pad = 2 * max(thickness, void)

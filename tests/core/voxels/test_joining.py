@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Islands joined or dropped, cavities filled."""
+
+import numpy as np
+import pytest
+
+from freecad_trabecula.core.voxels.connectivity import closed_cavities, parts
+from freecad_trabecula.core.voxels.joining import joined_solid, one_part
+from freecad_trabecula.core.voxels.plane_offsets import layer_sums
+from freecad_trabecula.core.voxels.texture import Texture, trabecular_field
+from freecad_trabecula.errors import ExactnessError
+
+
+def two_blocks():
+    solid = np.zeros((20, 20, 20), bool)
+    solid[2:6, 2:6, 2:6] = True
+    solid[13:18, 13:18, 13:18] = True
+    return solid
+
+
+def test_large_islands_are_joined_by_a_bar_that_adds_little():
+    solid = two_blocks()
+    joined = one_part(solid, np.ones(solid.shape, bool))
+    assert len(parts(joined)[1]) == 2
+    assert (joined & solid).sum() == solid.sum()
+    assert joined.sum() - solid.sum() < 120
+
+
+def test_many_islands_become_one_part():
+    solid = np.zeros((24, 24, 24), bool)
+    for z in (1, 9, 17):
+        for y in (1, 9, 17):
+            for x in (1, 9, 17):
+                solid[z : z + 4, y : y + 4, x : x + 4] = True
+    joined = one_part(solid, np.ones(solid.shape, bool))
+    assert len(parts(joined)[1]) == 2
+    assert (joined & solid).sum() == solid.sum()
+
+
+def test_small_islands_are_dropped_and_cavities_filled():
+    solid = np.zeros((12, 12, 12), bool)
+    solid[1:8, 1:8, 1:8] = True
+    solid[4, 4, 4] = False
+    solid[10, 10, 10] = True
+    expected = np.zeros((12, 12, 12), bool)
+    expected[1:8, 1:8, 1:8] = True
+    assert np.array_equal(one_part(solid, np.ones(solid.shape, bool)), expected)
+
+
+def test_bars_stay_in_the_mask():
+    solid = two_blocks()
+    mask = np.ones(solid.shape, bool)
+    mask[9:11] = False
+    joined = one_part(solid, mask)
+    assert not (joined & ~mask).any()
+    assert len(parts(joined)[1]) == 2  # the smaller one is dropped
+
+
+def test_a_field_becomes_one_part_with_nearly_its_counts():
+    field = trabecular_field(Texture((8.0,) * 3, mix=1.0), (40, 40, 40), 3)
+    counts = [np.full(40, 240)] * 3
+    solid, _ = joined_solid(field, counts)
+    assert len(parts(solid)[1]) == 2
+    assert len(closed_cavities(solid)[1]) == 1
+    assert max(np.abs(s - 240).max() for s in layer_sums(solid)) < 60
+
+
+def test_counts_of_nothing_are_refused():
+    field = trabecular_field(Texture((8.0,) * 3), (8, 8, 8), 1)
+    with pytest.raises(ExactnessError, match="no part"):
+        joined_solid(field, [np.zeros(8, int)] * 3)
