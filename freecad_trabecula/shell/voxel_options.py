@@ -39,12 +39,13 @@ examples:
   {PROGRAM} voxels bone.stl --size 0.05 --estimate
 
 FILE is a mesh (STL, OBJ, PLY, 3MF), the folder of an analysis with layers as thick as the voxels, a CSV file with the
-columns axis, layer and sliced_area_mm2 (or voxels), targets.json of an earlier design, or an NPY file of voxels
-[z, y, x]. The folder gets design.npy (bool, axes [z, y, x]), targets.json (D per layer along X, E along Y, C along Z),
-design.stl (blocks, watertight), alpha.csv and beta.csv, images of the layers, report.json, report.md and plots. Exit
-code: 0 exact and watertight; 1 the search gave up or something broke, nothing is written; 2 wrong input, or targets
-that no design can meet; 130 stopped. A run that is stopped leaves the folder as it was. FreeCAD is run by the command
-in the environment variable FREECADCMD, or else freecadcmd or FreeCADCmd on PATH.
+columns axis, layer and sliced_area_mm2 (or voxels), targets.json of an earlier design, or a volume: NPY of voxels
+[z, y, x], NRRD, TIFF, or a folder of images, whose own voxel size is taken where they have one. The folder gets
+design.npy (bool, axes [z, y, x]), targets.json (D per layer along X, E along Y, C along Z), design.stl (blocks,
+watertight), alpha.csv and beta.csv, images of the layers, report.json, report.md and plots. Exit code: 0 exact and
+watertight; 1 the search gave up or something broke, nothing is written; 2 wrong input, or targets that no design can
+meet; 130 stopped. A run that is stopped leaves the folder as it was. FreeCAD is run by the command in the environment
+variable FREECADCMD, or else freecadcmd or FreeCADCmd on PATH.
 """
 
 
@@ -59,7 +60,7 @@ def triple(text: str) -> List[float]:
 
 def voxel_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of ``voxels``."""
-    parser.add_argument("file", metavar="FILE", help="where the targets come from: mesh, analysis, CSV, JSON, NPY")
+    parser.add_argument("file", metavar="FILE", help="where the targets come from: mesh, analysis, CSV, JSON, volume")
     _target_options(parser.add_argument_group("what is asked for"))
     _strategy_options(parser.add_argument_group("how it is filled"))
     result = parser.add_argument_group("what is written")
@@ -76,6 +77,8 @@ def voxel_options(parser: argparse.ArgumentParser) -> None:
 
 def _target_options(group: Any) -> None:
     group.add_argument("--size", metavar="MM", type=triple, help="edge of a voxel, or dx,dy,dz (default: 0.1)")
+    group.add_argument("--threshold", metavar="VALUE", type=number, help="of a volume or images: values above it are "
+                       "material (default: Otsu's)")  # fmt: skip
     group.add_argument("--areas", choices=CHOICES["areas"], help="sections at the layers' middles (default) or slabs")
     group.add_argument("--correction", choices=CHOICES["correction"], help="to one total: by largest remainders "
                        "(default), or random layers as in the thesis")  # fmt: skip

@@ -112,9 +112,7 @@ def _write(
     phases = {"targets": read - start, **design.seconds, "files and plots": time.perf_counter() - made}
     files = {name: folder.path(name).stat().st_size for name in [*names, *(name for name, _ in pictures)]}
     design = replace(design, seconds=phases)
-    record = design_record(
-        design, Path(options["file"]).name, time.perf_counter() - start, mesh, versions(), files, more.pop("notes")
-    )
+    record = design_record(design, Path(options["file"]).name, time.perf_counter() - start, mesh, versions(), files)
     record.update(more)
     for name, text in ((PAGE, report_markdown(record, pictures)), (REPORT, record_json(record))):
         with whole_file(folder.path(name)) as file:
@@ -124,7 +122,7 @@ def _write(
 
 def _targets(options: Dict[str, Any], parameters: VoxelParameters, progress: Progress) -> Targets:
     if not options["tables"]:
-        return read_targets(options["file"], parameters, progress)
+        return read_targets(options["file"], parameters, progress, options["threshold"])
     return targets_of_tables(options["tables"], parameters.size)
 
 
@@ -162,16 +160,12 @@ def _write_files(
 
 def _studies(design: VoxelDesign, options: Dict[str, Any], progress: Progress) -> Dict[str, Any]:
     """What was asked besides the design: how many there are, how often tables fit."""
-    found: Dict[str, Any] = {"notes": []}
+    found: Dict[str, Any] = {}
     if options["count"]:
         found["counting"] = counting_record(design, part(progress, 0.0, 0.8))
     if options["rates"]:
         rates = pair_rates(design.targets, design.parameters, options["rates"], part(progress, 0.8, 1.0))
         found["rates"] = rates._asdict()
-        found["notes"].append(
-            f"of {rates.pairs} pairs of tables drawn without regard for each other {rates.solved} came to their end, "
-            f"{100 * rates.layers:.1f} % of their layers were compatible, and {rates.compatible} pairs in all layers"
-        )
     return found
 
 

@@ -164,14 +164,39 @@ def _checked_mask(mask: Optional[np.ndarray], targets: Targets) -> Optional[np.n
     return None if mask.all() else mask
 
 
+def share_outside_blocks(voxels: np.ndarray) -> float:
+    """Return the share of the solid that lies in no block of 2 x 2 x 2 solid voxels.
+
+    Parameters
+    ----------
+    voxels : ndarray of shape (P, M, N), bool
+
+    Examples
+    --------
+    >>> share_outside_blocks(np.ones((2, 2, 3), bool)), share_outside_blocks(np.ones((1, 2, 3), bool))
+    (0.0, 1.0)
+    """
+    blocks = voxels
+    for axis in range(3):
+        blocks = np.moveaxis(blocks, axis, 0)
+        blocks = np.moveaxis(blocks[1:] & blocks[:-1], 0, axis)
+    covered = np.pad(blocks, 1)
+    for axis in range(3):
+        covered = np.moveaxis(covered, axis, 0)
+        covered = np.moveaxis(covered[1:] | covered[:-1], 0, axis)
+    return 1.0 - float(np.count_nonzero(covered)) / max(int(np.count_nonzero(voxels)), 1)
+
+
 def target_notes(targets: Targets) -> Tuple[str, ...]:
     """Return what the user should know of targets before a design is made of them: sentences, maybe none."""
     notes = []
     thickness = targets.thickness / max(targets.voxel)
     if thickness < LEAST_THICKNESS:
+        outside = "" if targets.sample is None else f"{100 * share_outside_blocks(targets.sample):.0f} % of it lie "
         notes.append(
             f"the sample's mean thickness is {thickness:.2g} voxels; below {LEAST_THICKNESS:g} its struts are not "
-            f"resolved: voxels of {targets.thickness / LEAST_THICKNESS:.2g} mm would resolve them"
+            + (f"resolved ({outside}outside any block of 2 x 2 x 2 voxels): " if outside else "resolved: ")
+            + f"voxels of {targets.thickness / LEAST_THICKNESS:.2g} mm would resolve them"
         )
     for axis, counts in zip("XYZ", targets.counts):
         used = np.flatnonzero(counts)

@@ -47,7 +47,7 @@ def counts_figure(design: VoxelDesign) -> Any:
         axes.plot(place, counts[k] * across, ".", color=COLOURS[6], label="design", markersize=2)
         axes.set(xlabel=f"{AXES[k].upper()}, mm", ylabel="sliced area, mm²")
         axes.set_ylim(bottom=0)
-        axes.legend(loc="upper right")
+        axes.legend(loc="lower right")
     return figure
 
 
@@ -64,7 +64,7 @@ def trabeculae_figure(design: VoxelDesign) -> Any:
         axes.plot(counts, color=COLOURS[0], label="design")
         axes.set(xlabel=f"layer along {AXES[k].upper()}", ylabel="trabeculae")
         axes.set_ylim(bottom=0)
-        axes.legend(loc="upper right")
+        axes.legend(loc="lower right")
     return figure
 
 

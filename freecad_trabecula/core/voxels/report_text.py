@@ -28,6 +28,7 @@ def report_markdown(record: Mapping[str, Any], pictures: Sequence[Tuple[str, str
         ),
         "The deltas are the common total less the sum of the counts rounded by Eq. 6.1.",
         *(f"![{caption}]({name})\n\n{caption}." for name, caption in pictures),
+        *_studies(record),
         "## Time",
         _table(("phase", "s"), [(name, f"{value:.3f}") for name, value in record["phases"].items()]),
         f"The whole run took {record['seconds']:.2f} s.{_thesis_words(record)}",
@@ -37,8 +38,6 @@ def report_markdown(record: Mapping[str, Any], pictures: Sequence[Tuple[str, str
         _table(("file", "bytes"), [(k, f"{v:,}") for k, v in record["files"].items()]),
         ", ".join(f"{k} {v}" for k, v in record["versions"].items()),
     ]
-    if record.get("counting"):
-        parts[-6:-6] = ["## How many designs", _table(("number of", "log10", "standard error"), _counting(record))]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -53,9 +52,27 @@ def report_summary(record: Mapping[str, Any]) -> str:
         f"{100 * record['largest_fraction']:.2f} % in the largest; {record['closed_cavities']} closed cavities; "
         f"contacts by an edge alone {record['edge_contacts']}, by a corner alone {record['corner_contacts']}",
         "trabeculae per layer: " + ", ".join(_trabeculae_words(a, t) for a, t in record["trabeculae"].items()),
+        *([_rates_words(record["rates"])] if record.get("rates") else []),
         f"{record['seconds']:.2f} s",
     ]
     return "\n".join(lines)
+
+
+def _studies(record: Mapping[str, Any]) -> List[str]:
+    """What was asked besides the design."""
+    found = []
+    if record.get("counting"):
+        found += ["## How many designs", _table(("number of", "log10", "standard error"), _counting(record))]
+    if record.get("rates"):
+        found += ["## Tables that fit", _rates_words(record["rates"])]
+    return found
+
+
+def _rates_words(rates: Mapping[str, Any]) -> str:
+    return (
+        f"Of {rates['pairs']} pairs of tables drawn without regard for each other {rates['solved']} came to their end; "
+        f"{100 * rates['layers']:.1f} % of their layers were compatible, and {rates['compatible']} pairs in all layers."
+    )
 
 
 def _verdict(record: Mapping[str, Any]) -> str:

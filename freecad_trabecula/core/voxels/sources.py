@@ -13,7 +13,7 @@ import numpy as np
 
 from ...errors import ExportError, MeshError, ParameterError
 from ..analysis.analysis import Analysis
-from ..analysis.folder import load_analysis
+from ..analysis.folder import REPORT, load_analysis
 from ..analysis.slices import sliced_areas
 from ..analysis.triangles import read_soup
 from ..analysis.voxelise import voxelise
@@ -21,9 +21,10 @@ from ..parameters import require
 from ..progress import Progress, part, silent
 from .parameters import VoxelParameters
 from .slabs import slab_volumes
-from .targets import AXES, Targets, layer_counts_of_box, targets_from_areas, targets_of_voxels
+from .targets import AXES, Targets, layer_counts_of_box, targets_from_areas
 from .trabeculae import trabecula_counts
 from .volume_files import read_npy
+from .volume_sources import VOLUMES, targets_of_volume
 
 #: Suffixes of meshes, as ``analysis.triangles.read_soup`` knows them.
 MESHES = (".stl", ".obj", ".ply", ".3mf")
@@ -32,16 +33,23 @@ _OPEN = 1e-7  # of the surface: what sums of single precision leave
 _SAME = 1e-3  # relative: a layer of 0.1 mm written with four digits
 
 
-def read_targets(path: Union[str, Path], parameters: VoxelParameters, progress: Progress = silent) -> Targets:
+def read_targets(
+    path: Union[str, Path],
+    parameters: VoxelParameters,
+    progress: Progress = silent,
+    threshold: Optional[float] = None,
+) -> Targets:
     """Return the targets that a file asks for.
 
     Parameters
     ----------
     path : str or Path
         A mesh; the folder of an analysis; a CSV file with the columns ``axis``, ``layer`` and ``sliced_area_mm2`` or
-        ``voxels``; ``targets.json`` of a design; an NPY file of voxels [z, y, x].
+        ``voxels``; ``targets.json`` of a design; a volume of voxels (NPY, NRRD, TIFF, a folder of images).
     parameters : VoxelParameters
     progress : callable
+    threshold : float, optional
+        Of a volume: values above it are material; None: Otsu's.
 
     Raises
     ------
@@ -53,18 +61,19 @@ def read_targets(path: Union[str, Path], parameters: VoxelParameters, progress: 
     path = Path(path)
     require(path.exists(), "there must be a file or folder of that name", str(path))
     kind = path.suffix.lower()
-    if path.is_dir():
+    if path.is_dir() and (path / REPORT).exists():
         return targets_of_analysis(path, parameters)
+    if path.is_dir() or kind in VOLUMES:
+        return targets_of_volume(path, parameters, threshold, progress)
     if kind in MESHES:
         return targets_of_triangles(read_triangles(path), parameters, progress)
     if kind == ".csv":
         return targets_of_csv(path, parameters)
     if kind == ".json":
         return targets_of_json(path)
-    if kind == ".npy":
-        return targets_of_voxels(read_npy(path) > 0, parameters.size)
     raise ParameterError(
-        f"targets are read from {', '.join(MESHES)}, .csv, .json, .npy or the folder of an analysis, got {path.name}"
+        f"targets are read from {', '.join((*MESHES, *VOLUMES))}, .csv, .json, the folder of an analysis or a folder "
+        f"of images, got {path.name}"
     )
 
 
