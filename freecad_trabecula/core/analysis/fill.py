@@ -87,7 +87,7 @@ def _changed(contours: Contours, change: Any, progress: Progress, what: str,
 def _differ(old: List[np.ndarray], new: List[np.ndarray]) -> bool:
     """Whether polygons have another area than others, or other numbers of outer contours and holes, above rounding."""
     before, after = (np.array([_area(polygon) for polygon in polygons]) for polygons in (old, new))
-    rounding = 1e-7 * sum(np.abs(np.diff(polygon, axis=0)).sum() for polygon in old)  # perimeter times ten grid steps
+    rounding = 1e-9 * sum(np.abs(np.diff(polygon, axis=0)).sum() for polygon in old)  # steps of 1e-8 mm, either way
     same = all((sign * before > rounding).sum() == (sign * after > rounding).sum() for sign in (1, -1))
     return not same or abs(before.sum() - after.sum()) > rounding
 

@@ -8,7 +8,7 @@ from typing import Iterator, List, Optional, Tuple
 
 import numpy as np
 
-from ..progress import Progress, part, silent
+from ..progress import Progress, silent
 from .contours import Contours
 from .fill import offset_contours, united
 from .parameters import SliceParameters
@@ -62,7 +62,8 @@ def mend(contours: Contours, parameters: SliceParameters, progress: Progress = s
     """Return contours as the parameters want them, and what that changed.
 
     In this order: gap fill, filter of open contours, bridging of what is still open, filter of closed contours,
-    smoothing, compensation, union. Contours that are closed are not touched by the first three.
+    smoothing, compensation or else union. Contours that are closed are not touched by the first three. A compensation
+    unites what overlaps, whatever the fill rule.
 
     Raises
     ------
@@ -81,9 +82,9 @@ def mend(contours: Contours, parameters: SliceParameters, progress: Progress = s
     if tolerance:
         contours, found.points_smoothed[:] = smoothed(contours, tolerance)
     if parameters.compensation:
-        contours, found.offset[:] = offset_contours(contours, parameters.compensation, part(progress, 0.0, 0.5))
-    if parameters.fill == "union":
-        contours, found.united[:] = united(contours, part(progress, 0.5, 1.0))
+        contours, found.offset[:] = offset_contours(contours, parameters.compensation, progress)  # unites them too
+    elif parameters.fill == "union":
+        contours, found.united[:] = united(contours, progress)
     return contours, found
 
 
