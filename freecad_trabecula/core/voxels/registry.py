@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The strategies that there are: the modules of ``strategies``, found by looking.
 
-A strategy is a module of that package with ``NAME`` (the module's own, hyphens for underscores), ``SUMMARY`` and
+A strategy is a module of that package with ``NAME`` (the module's own, hyphens for underscores), ``SUMMARY``,
+``OPTIONS`` (the fields of VoxelParameters that it heeds; ``boundary``: it takes a mask) and
 ``design(targets, parameters, mask, progress) -> voxels``, bool of shape (P, M, N): exact, or an ``InfeasibleError`` or
 ``ExactnessError``. A new one is one more module: nothing in the core names it.
 """

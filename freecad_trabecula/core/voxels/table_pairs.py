@@ -25,6 +25,8 @@ from .targets import Targets
 #: Tables (N, P) and (M, P) that a pair shall be near to.
 Wishes = Tuple[Optional[np.ndarray], Optional[np.ndarray]]
 
+#: Fields of VoxelParameters that the tables heed.
+TABLE_OPTIONS = ("cap_alpha", "cap_beta", "solver", "pairing", "tries")
 _SWITCHES = 20  # rounds of levelling switches, each of all pairs of rows
 
 

@@ -35,6 +35,13 @@ def test_every_strategy_is_a_module_with_its_name_and_summary():
         assert name == module.NAME and module.SUMMARY and callable(module.design)
 
 
+def test_the_options_of_a_strategy_are_fields_and_every_field_of_one_is_heeded_by_some():
+    options = {option for name in strategy_names() for option in find_strategy(name).OPTIONS}
+    common = {"size", "strategy", "seed", "areas", "correction", "total"}
+    assert options | common == {field.name for field in fields(VoxelParameters)}
+    assert not options & common
+
+
 @pytest.mark.parametrize(
     ("choice", "words"),
     [

@@ -11,11 +11,12 @@ from ...progress import Progress, part
 from ..best_layer import best_layers
 from ..chosen_fields import chosen_field
 from ..parameters import VoxelParameters
-from ..table_pairs import draw_pair
+from ..table_pairs import TABLE_OPTIONS, draw_pair
 from ..targets import Targets
 
 NAME = "best-tables"
 SUMMARY = "random tables; of all layers that they allow the one that is highest on the chosen field (linear program)"
+OPTIONS = (*TABLE_OPTIONS, "field")
 SECONDS_PER_MILLION = 5.0  # CPU, of cells, measured
 
 

@@ -13,12 +13,13 @@ from ..chosen_fields import chosen_field
 from ..layer_fill import layer_sums
 from ..parameters import VoxelParameters
 from ..plane_offsets import newton_offsets, polished, solid_of
-from ..table_pairs import draw_pair
+from ..table_pairs import TABLE_OPTIONS, draw_pair
 from ..targets import Targets
 from ..texture import QUANTUM
 
 NAME = "by-field"
 SUMMARY = "voxels where the chosen field is highest, as nearly as the counts of the layers allow"
+OPTIONS = (*TABLE_OPTIONS, "field")
 SECONDS_PER_MILLION = 5.0  # CPU, of cells, measured
 
 

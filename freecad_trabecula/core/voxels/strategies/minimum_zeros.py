@@ -10,11 +10,12 @@ import numpy as np
 from ...progress import Progress, part
 from ..layer_fill import propagated_layers
 from ..parameters import VoxelParameters
-from ..table_pairs import draw_pair
+from ..table_pairs import TABLE_OPTIONS, draw_pair
 from ..targets import Targets
 
 NAME = "minimum-zeros"
 SUMMARY = "random tables; in each layer the shortest line first, into the lines that need most (thesis case 1)"
+OPTIONS = (*TABLE_OPTIONS, "direction")
 SECONDS_PER_MILLION = 0.1  # CPU, of cells, measured
 
 

@@ -11,11 +11,12 @@ from ...progress import Progress, part
 from ...streams import Stream
 from ..layer_fill import propagated_layers, shuffled_layers
 from ..parameters import VoxelParameters
-from ..table_pairs import draw_pair
+from ..table_pairs import TABLE_OPTIONS, draw_pair
 from ..targets import Targets
 
 NAME = "random-layers"
 SUMMARY = "random tables; each layer drawn nearly uniformly from all that have these row and column sums"
+OPTIONS = (*TABLE_OPTIONS, "direction")
 SECONDS_PER_MILLION = 0.5  # CPU, of cells, measured
 
 

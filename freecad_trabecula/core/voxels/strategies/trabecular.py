@@ -29,6 +29,7 @@ from ..trabeculae import match_trabeculae, trabecula_counts, wanted_trabeculae
 
 NAME = "trabecular"
 SUMMARY = "One connected part of sheets and rods, like the sample's; no floating voxel, no closed cavity"
+OPTIONS = ("wavelength", "rods", "contacts", "thickness", "void", "trabeculae", "boundary")
 
 #: Wavelength without a sample, voxels: struts of two to three voxels.
 DEFAULT_WAVELENGTH = 8.0
