@@ -35,7 +35,7 @@ examples:
   {PROGRAM} voxels bone.stl --size 0.1 --out build/bone
   {PROGRAM} voxels bone.stl --size 0.1,0.1,0.2 --trabeculae xyz --seed 7 --out build/other
   {PROGRAM} voxels build/analysis --size 0.1 --strategy minimum-zeros --cap-alpha 40 --cap-beta 40 --out build/case1
-  {PROGRAM} voxels targets.csv --size 0.1 --mask sphere.stl --out build/sphere
+  {PROGRAM} voxels femur.stl --size 0.2 --density 0.3 --wavelength 1.6 --out build/femur
   {PROGRAM} voxels bone.stl --size 0.05 --estimate
 
 FILE is a mesh (STL, OBJ, PLY, 3MF), the folder of an analysis with layers as thick as the voxels, a CSV file with the
@@ -85,6 +85,8 @@ def _target_options(group: Any) -> None:
     group.add_argument("--total", choices=CHOICES["total"], help="whose total it is (default: mean; thesis: z)")
     group.add_argument("--trabeculae", choices=CHOICES["trabeculae"], help="axes along which their number per layer is "
                        "a target too (default: off)")  # fmt: skip
+    group.add_argument("--density", metavar="R", type=number, help="FILE is an envelope, not a sample: this share of "
+                       "its cells in every layer")  # fmt: skip
     group.add_argument("--mask", metavar="FILE", help="envelope: a mesh or an NPY file; solid lies within it only")
     group.add_argument("--boundary", choices=CHOICES["boundary"], help="voxels at its boundary (default: half: by "
                        "their centres)")  # fmt: skip
@@ -118,6 +120,8 @@ def check_voxels(options: Dict[str, Any]) -> Optional[str]:
         return "where shall it go? --out DIR is needed (or --estimate, to be told only)"
     if options["rates"] is not None and options["rates"] < 1:
         return f"--rates must be at least 1, got {options['rates']}"
-    if options["boundary"] and not options["mask"]:
-        return "--boundary is about --mask, which is not given"
+    if options["boundary"] and not options["mask"] and options["density"] is None:
+        return "--boundary is about --mask or --density, and neither is given"
+    if options["density"] is not None and (options["mask"] or options["tables"]):
+        return "--density makes FILE the envelope: --mask and --tables do not go with it"
     return None

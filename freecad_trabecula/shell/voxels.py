@@ -6,7 +6,7 @@ from __future__ import annotations
 import time
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -18,12 +18,13 @@ from ..core.stl import whole_file, write_stl
 from ..core.voxels.blocks import block_mesh
 from ..core.voxels.counting import counting_record
 from ..core.voxels.design import VoxelDesign, estimate, make_design
+from ..core.voxels.envelope_sources import targets_of_envelope
 from ..core.voxels.image_stacks import write_stack
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.plots import design_figures
 from ..core.voxels.report import design_record, record_json
 from ..core.voxels.report_text import report_markdown, report_summary
-from ..core.voxels.sources import layers_of_source, read_mask, read_targets, targets_record
+from ..core.voxels.sources import layers_of_source, read_mask, read_targets, read_triangles, targets_record
 from ..core.voxels.table_files import targets_of_tables, write_table_csv, write_tables_xlsx
 from ..core.voxels.table_pairs import pair_rates
 from ..core.voxels.targets import Targets
@@ -99,8 +100,7 @@ def _write(
 ) -> Dict[str, Any]:
     """Design, write all files aside, and return the report's record."""
     start = time.perf_counter()
-    targets = _targets(options, parameters, part(progress, 0.0, 0.2))
-    mask = _mask(options, targets, parameters, part(progress, 0.2, 0.25))
+    targets, mask = _asked(options, parameters, part(progress, 0.0, 0.25))
     parameters = replace(parameters, size=targets.voxel)
     read = time.perf_counter()
     design = make_design(targets, parameters, mask, part(progress, 0.25, 0.8))
@@ -120,16 +120,19 @@ def _write(
     return record
 
 
-def _targets(options: Dict[str, Any], parameters: VoxelParameters, progress: Progress) -> Targets:
-    if not options["tables"]:
-        return read_targets(options["file"], parameters, progress, options["threshold"])
-    return targets_of_tables(options["tables"], parameters.size)
-
-
-def _mask(
-    options: Dict[str, Any], targets: Targets, parameters: VoxelParameters, progress: Progress
-) -> Optional[np.ndarray]:
-    return read_mask(options["mask"], targets, parameters.boundary, progress) if options["mask"] else None
+def _asked(
+    options: Dict[str, Any], parameters: VoxelParameters, progress: Progress
+) -> Tuple[Targets, Optional[np.ndarray]]:
+    """Targets, and the mask if there is one."""
+    if options["density"] is not None:
+        return targets_of_envelope(read_triangles(options["file"]), options["density"], parameters, progress)
+    if options["tables"]:
+        targets = targets_of_tables(options["tables"], parameters.size)
+    else:
+        targets = read_targets(options["file"], parameters, part(progress, 0.0, 0.8), options["threshold"])
+    if not options["mask"]:
+        return targets, None
+    return targets, read_mask(options["mask"], targets, parameters.boundary, part(progress, 0.8, 1.0))
 
 
 def _write_files(

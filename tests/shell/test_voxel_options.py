@@ -59,7 +59,8 @@ def test_file_names_become_absolute():
         (["bone.stl", *OUT, "--strategy", "magic"], "invalid choice: 'magic'"),
         (["bone.stl", *OUT, "--seed", "1.5"], "it must be a whole number, got '1.5'"),
         (["bone.stl", *OUT, "--rates", "0"], "--rates must be at least 1, got 0"),
-        (["bone.stl", *OUT, "--boundary", "half"], "--boundary is about --mask, which is not given"),
+        (["bone.stl", *OUT, "--boundary", "half"], "--boundary is about --mask or --density"),
+        (["bone.stl", *OUT, "--density", "0.3", "--mask", "m.stl"], "--density makes FILE the envelope"),
         (["bone.stl", *OUT, "--images", "gif"], "invalid choice: 'gif'"),
     ],
 )

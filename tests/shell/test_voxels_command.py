@@ -129,6 +129,18 @@ def test_given_tables_are_filled_as_they_are(made, tmp_path):
     assert (tmp_path / "out" / "tables.xlsx").exists()
 
 
+def test_an_envelope_is_filled_to_its_share(tmp_path):
+    z, y, x = np.ogrid[-10:11, -10:11, -10:11]
+    ball = x * x + y * y + z * z <= 100
+    write_stl(tmp_path / "ball.stl", block_mesh(ball, (0.1, 0.1, 0.1)))
+    words = ("--size", 0.1, "--density", 0.35, "--plots", "none", "--images", "none", "--out", tmp_path / "out")
+    done = voxels(tmp_path / "ball.stl", *words)
+    assert done.returncode == 0, done.stderr
+    design = np.load(tmp_path / "out" / "design.npy")
+    assert not (design & ~ball).any() and design.sum() == round(0.35 * ball.sum())
+    assert report_of(tmp_path / "out")["components"] == 1
+
+
 def test_an_estimate_writes_nothing(bone, tmp_path):
     done = voxels(bone, "--size", "0.05", "--estimate")
     assert done.returncode == 0 and "36 x 32 x 28 layers, 32,256 cells: about" in done.stdout

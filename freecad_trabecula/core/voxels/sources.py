@@ -142,11 +142,23 @@ def mask_of_triangles(
     ParameterError
         If the mesh is not closed, or no cell is inside.
     """
+    return _some_cells(cells_inside(triangles, targets.layers, targets.voxel, targets.origin, boundary, progress), name)
+
+
+def cells_inside(
+    triangles: np.ndarray,
+    layers: Tuple[int, int, int],
+    voxel: Sequence[float],
+    origin: Sequence[float],
+    boundary: str,
+    progress: Progress = silent,
+) -> np.ndarray:
+    """Return the cells of a grid of N, M, P layers that lie in a closed mesh, (P, M, N) bool, as ``read_mask``."""
     fine = 1 if boundary == "half" else 3
-    size, layers = (np.asarray(targets.voxel) / fine, tuple(fine * n for n in targets.layers))
-    points = _voxelised(triangles, np.asarray(targets.origin), layers, size, progress)
-    points = points.reshape([k for n in targets.shape for k in (n, fine)])
-    return _some_cells(points.any((1, 3, 5)) if boundary == "touched" else points.all((1, 3, 5)), name)
+    size = np.asarray(voxel, float) / fine
+    points = _voxelised(triangles, np.asarray(origin, float), tuple(fine * n for n in layers), size, progress)
+    points = points.reshape([k for n in layers[::-1] for k in (n, fine)])
+    return points.any((1, 3, 5)) if boundary == "touched" else points.all((1, 3, 5))
 
 
 def _some_cells(mask: np.ndarray, name: str) -> np.ndarray:
