@@ -216,7 +216,7 @@ def take_analysis():
     panel = panels.current()
     if bone.is_file():
         panel.fields.set_file(str(bone))
-    panel.analyse()
+    panel.work()
     wait(lambda: panel.build_bar.bar.value() > 100 or panel._work is None, 60)
     shoot("analysis-working")
     wait(lambda: panel._work is None, 300)

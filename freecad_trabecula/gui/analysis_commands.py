@@ -9,10 +9,11 @@ import FreeCAD
 
 from ..errors import ParameterError
 from . import panels
-from .analysing import analyse_at_once, is_busy
+from .analysing import analyse_at_once
 from .analysis_dock import dock_of_window, show_analyses
 from .analysis_form import is_sliceable
 from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
+from .document_work import is_busy
 from .transactions import say
 from .view_providers import type_of
 

@@ -15,6 +15,7 @@ from ..core.analysis.triangles import UNITS
 from ..errors import ParameterError
 from .accordion import Accordion
 from .fields import Form, NumberField, row_widget
+from .object_choice import ObjectChoice
 from .qt import icon, small_button
 from .view_providers import type_of
 
@@ -42,8 +43,8 @@ class AnalysisForm(QtGui.QWidget):
 
     def __init__(self, changed: Callable[[], None]) -> None:
         super().__init__()
-        self._changed, self._file, self._least_area, self._showing = changed, "", 1e-6, False
-        self.source, self.envelope, self.unit = QtGui.QComboBox(), QtGui.QComboBox(), QtGui.QComboBox()
+        self._changed, self._least_area, self._showing = changed, 1e-6, False
+        self.source, self.envelope, self.unit = ObjectChoice(), ObjectChoice(), QtGui.QComboBox()
         self.unit.addItems(["auto", *UNITS])
         self.layers, self.mending = Form(SliceParameters, _LAYERS, changed), Form(SliceParameters, _MENDING, changed)
         self.measures = Form(SliceParameters, _MEASURES, changed)
@@ -113,7 +114,7 @@ class AnalysisForm(QtGui.QWidget):
         column.addWidget(self.sections)
 
     def _report(self, *_: Any) -> None:
-        self.unit.setEnabled(bool(self._file) and not self.source_name())
+        self.unit.setEnabled(bool(self.file()))
         if not self._showing:
             self._changed()
 
@@ -129,12 +130,8 @@ class AnalysisForm(QtGui.QWidget):
     def offer(self, objects: Sequence[Any], source: Any, envelope: Any) -> None:
         """Offer objects to be sliced and to refer to, and choose one of each."""
         self._showing = True
-        self.source.clear()
-        self.envelope.clear()
-        self.envelope.addItem(translate("Trabecula", "box of the body"), "")
-        for obj in objects:
-            for box in (self.source, self.envelope):
-                box.addItem(obj.Label, obj.Name)
+        self.source.offer(objects)
+        self.envelope.offer(objects, translate("Trabecula", "box of the body"))
         self.choose(source, envelope)
         self._showing = False
         self._report()
@@ -142,32 +139,25 @@ class AnalysisForm(QtGui.QWidget):
     def choose(self, source: Any, envelope: Any) -> None:
         """Choose what is sliced and to what it refers; None for the file and the box."""
         if source is not None:
-            self.source.setCurrentIndex(max(self.source.findData(source.Name), 0))
-        self.envelope.setCurrentIndex(max(self.envelope.findData(envelope.Name if envelope else ""), 0))
+            self.source.choose(source)
+        self.envelope.choose(envelope)
 
     def set_file(self, path: str) -> None:
         """Choose a file to be sliced."""
-        self._file = path
-        place = self.source.findData("")
-        if place < 0:
-            self.source.addItem("", "")
-            place = self.source.count() - 1
-        self.source.setItemText(place, path.replace("\\", "/").rsplit("/", 1)[-1])
-        self.source.setItemData(place, "")
-        self.source.setCurrentIndex(place)
+        self.source.set_file(path)
         self._report()
 
     def source_name(self) -> str:
         """Return the name of the object that is sliced; empty for a file."""
-        return str(self.source.currentData() or "")
+        return self.source.object_name()
 
     def envelope_name(self) -> str:
         """Return the name of the object to which porosity refers; empty for the body's box."""
-        return str(self.envelope.currentData() or "")
+        return self.envelope.object_name()
 
     def file(self) -> str:
         """Return the path of the file that is sliced; empty for an object."""
-        return "" if self.source_name() else self._file
+        return self.source.file()
 
     # ------------------------------------------------------------------------------------------------ the parameters
 

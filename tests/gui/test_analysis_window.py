@@ -19,11 +19,11 @@ from freecad_trabecula.core.presets import preset
 from freecad_trabecula.features import results
 from freecad_trabecula.features.on_demand import COMPUTING
 from freecad_trabecula.gui import panels
-from freecad_trabecula.gui.analysing import is_busy
 from freecad_trabecula.gui.analysis_dock import KIND, dock_of_window, show_analyses
 from freecad_trabecula.gui.analysis_plots import KINDS, diagram_of
 from freecad_trabecula.gui.analysis_saving import save
 from freecad_trabecula.gui.chart import nice_steps
+from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.slice_view import PLATE, ROD, plane_corners
 from freecad_trabecula.gui.view_providers import type_of
 
@@ -59,7 +59,7 @@ class AnalysisCase(WindowTest):
         return panels.current()
 
     def analyse(self, panel):
-        panel.analyse()
+        panel.work()
         self.assertTrue(wait(lambda: panel._work is None, 120), self.dialogs)
         settle(0.3)
 
@@ -107,7 +107,7 @@ class PanelTest(AnalysisCase):
         panel = self.open_panel(self.torus())
         panel.fields.layers.fields["thickness"].set_value(0.01)
         panel.fields.morphometry.setChecked(True)
-        panel.analyse()
+        panel.work()
         settle(1.5)
         started = time.monotonic()
         panel.cancel()
@@ -121,17 +121,17 @@ class PanelTest(AnalysisCase):
         for axis in "xyz":
             panel.fields.axes[axis].setChecked(False)
         self.assertIn("at least one axis", panel.message.text())
-        panel.analyse()
+        panel.work()
         panel.fields.axes["z"].setChecked(True)
         panel.fields.layers.fields["thickness"].set_value(0.0)
-        panel.analyse()
+        panel.work()
         self.assertEqual(len(self.dialogs), 2)
         self.assertIn("greater than 0", self.dialogs[1])
         self.assertEqual(self.analyses(), [])
 
     def test_without_a_body_the_panel_asks_for_one(self):
         FreeCADGui.runCommand("Trabecula_Analysis")
-        panels.current().analyse()
+        panels.current().work()
         self.assertEqual(len(self.dialogs), 1)
         self.assertIn("choose an object or a file", self.dialogs[0])
 
@@ -150,16 +150,16 @@ class PanelTest(AnalysisCase):
             panel.reject()
 
     def test_what_the_panel_does_can_be_run_as_a_macro(self):
-        from freecad_trabecula.gui import analysing
+        from freecad_trabecula.gui import document_work
 
-        lines, record = [], analysing.record
-        analysing.record = lambda text: (lines.append(text), record(text))
+        lines, record = [], document_work.record
+        document_work.record = lambda text: (lines.append(text), record(text))
         try:
             panel = self.open_panel(self.torus())
             panel.fields.layers.fields["thickness"].set_value(0.5)
             self.analyse(panel)
         finally:
-            analysing.record = record
+            document_work.record = record
         exec("\n".join(lines), {})  # noqa: S102
         first, second = self.analyses()
         self.assertEqual(first.ResultKey, second.ResultKey)

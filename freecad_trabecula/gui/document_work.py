@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work for a document object: done in another process, then one step in the document, untouched until then."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Set
+
+import FreeCAD
+
+from .. import make
+from ..errors import TrabeculaError
+from ..features import results
+from .child_work import ChildWork, task_work
+from .recomputing import WorkBar
+from .transactions import record, told, transaction
+from .view_providers import type_of
+
+_works: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
+
+
+class Order(NamedTuple):
+    """What is to be done and where it comes to.
+
+    Attributes
+    ----------
+    document : str
+    kind, key : str
+        Of the result, as ``features.results`` has them.
+    write_task : callable
+        Takes the folder in which the other process finds its work.
+    write : callable
+        Writes the result, once it is at hand, into the document; returns the object.
+    """
+
+    document: str
+    kind: str
+    key: str
+    write_task: Callable[[str], None]
+    write: Callable[[], Any]
+
+
+class DocumentWork:
+    """One result on its way into a document.
+
+    Parameters
+    ----------
+    order : Order
+    progressed : callable
+        Takes a ``child_work.Progress``.
+    done : callable
+        Takes the object.
+    failed : callable
+        Takes the error.
+    """
+
+    def __init__(
+        self,
+        order: Order,
+        progressed: Callable[[Any], None],
+        done: Callable[[Any], None],
+        failed: Callable[[TrabeculaError], None],
+    ) -> None:
+        self._order, self._progressed, self._done, self._failed = order, progressed, done, failed
+        self._work: Optional[ChildWork] = None
+
+    def start(self) -> None:
+        """Start the work; what is at hand already is written at once.
+
+        Raises
+        ------
+        TrabeculaError
+            If the work cannot be started.
+        """
+        if results.find(self._order.kind, self._order.key) is not None:
+            self._done(self._order.write())
+            return
+        work = task_work(self._order.write_task)
+        work.progressed.connect(self._progressed)
+        work.succeeded.connect(self._take)
+        work.failed.connect(lambda text: self._failed(TrabeculaError(text)))
+        work.process.finished.connect(lambda *_: _works.discard(work))
+        _works.add(work)
+        self._work = work
+        work.start()
+
+    def cancel(self) -> None:
+        """End the work; nothing has changed and nothing is heard of it any more."""
+        if self._work is not None:
+            self._work.cancel()
+            self._work = None
+
+    def _take(self, folder: str) -> None:
+        self._work = None
+        try:
+            make.take_results(folder)
+            if self._order.document in FreeCAD.listDocuments():
+                self._done(self._order.write())
+        except TrabeculaError as error:
+            self._failed(error)
+
+
+_current: List[DocumentWork] = []
+
+
+def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
+    """Do what was asked for with one click; the status bar shows how far it is and can end it.
+
+    Raises
+    ------
+    TrabeculaError
+        If the work cannot be started.
+    """
+
+    def finish(obj: Any = None) -> None:
+        bar.hide()
+        bar.deleteLater()
+        _current.clear()
+        if obj is not None:
+            done(obj)
+
+    def fail(error: TrabeculaError) -> None:
+        finish()
+        with told():
+            raise error
+
+    def cancel() -> None:
+        work.cancel()
+        finish()
+
+    bar = WorkBar(cancel)
+    work = DocumentWork(order, bar.show_progress, finish, fail)
+    _current[:] = [work]
+    bar.show_start()
+    try:
+        work.start()
+    except TrabeculaError:
+        finish()
+        raise
+
+
+def is_busy() -> bool:
+    """Return whether something that was asked for with one click is on its way."""
+    return bool(_current)
+
+
+def write_step(document: str, step: str, parameters: Any, lines: Sequence[str], kind: str, changed: str = "") -> Any:
+    """Run lines of Python as one step to undo, as if typed; return the object that was made or changed.
+
+    Parameters
+    ----------
+    document : str
+    step : str
+        What the step is called.
+    parameters : object
+        A parameter object, which the lines know as ``parameters``; the document as ``document``.
+    lines : sequence of str
+    kind : str
+        ``Type`` of the object.
+    changed : str
+        Name of the object that is changed; none: a new one is made.
+
+    Raises
+    ------
+    TrabeculaError
+        What the lines raise; the document is as it was.
+    """
+    target, module = FreeCAD.getDocument(document), type(parameters).__module__
+    before = {obj.Name for obj in target.Objects}
+    with transaction(target, step):
+        for line in (
+            "import FreeCAD",
+            "from freecad_trabecula import make",
+            f"from {module} import {type(parameters).__name__}",
+            f"document = FreeCAD.getDocument({document!r})",
+            f"parameters = {parameters_text(parameters)}",
+            *lines,
+        ):
+            record(line)
+    new = [obj for obj in target.Objects if obj.Name not in before and type_of(obj) == kind]
+    return target.getObject(changed) if changed else new[-1]
+
+
+def parameters_text(parameters: Any) -> str:
+    """Return the Python text that makes parameters; what is as by default is left out.
+
+    Examples
+    --------
+    >>> from freecad_trabecula.core.analysis.parameters import SliceParameters
+    >>> parameters_text(SliceParameters(thickness=0.2, axes=("z",)))
+    "SliceParameters(thickness=0.2, axes=('z',))"
+    """
+    named = []
+    for field in dataclasses.fields(parameters):
+        value = getattr(parameters, field.name)
+        is_nan = isinstance(value, float) and math.isnan(value)
+        if value != field.default and not is_nan:
+            named.append(f"{field.name}={value!r}")
+    return f"{type(parameters).__name__}({', '.join(named)})"
