@@ -14,15 +14,17 @@ import numpy as np
 
 from ...errors import ExactnessError
 from ..progress import Progress, silent
+from ..streams import mix
 from .connectivity import Solid
 from .plane_offsets import FORBIDDEN, layer_sums
 
 _PAIRS = 12  # pairs of layers tried before a line is given up for free places
 _FEW = 1024  # best places looked at together
 _LOOPS = 40
-_STALLS = 6  # loops without getting nearer after which the search gives up
+_STALLS = 8  # loops without getting nearer after which the search gives up
+_FAILURES = 50  # of lines along one axis before the others have their turn
 _BATCHES = 60
-_BATCH = 20_000  # most voxels looked at for one batch
+_BATCH = 20_000  # voxels looked at for one batch, or an eighth of those near the level
 _SHARE_NEAR = 0.04  # of all voxels that batches choose from: those nearest to the field's level
 _HEAL = 0.05  # field units that a voxel lacking on another axis weighs at a free place
 
@@ -127,6 +129,8 @@ class ExactMoves:
             best, stalled = (self.missing, 0) if self.missing < best else (best, stalled + 1)
             if stalled == _STALLS:
                 break
+            if stalled:
+                self._stir(loop)
         raise ExactnessError(self._failure())
 
     def _failure(self) -> str:
@@ -164,7 +168,7 @@ class ExactMoves:
         for batch in range(_BATCHES):
             before = self.missing
             gain = self.gains(near, places)
-            chosen = np.concatenate([near[gain == 3], near[gain == 1]])[:_BATCH]
+            chosen = np.concatenate([near[gain == 3], near[gain == 1]])[: max(_BATCH, len(near) // 8)]
             chosen = chosen[self.solid.flippable(chosen)]
             chosen = chosen[self.solid.apart(chosen)]
             chosen = chosen[self.within_need(chosen)]
@@ -174,6 +178,15 @@ class ExactMoves:
             self.progress(batch, _BATCHES, "exact moves")
             if self.missing > 0.98 * before:
                 return
+
+    def _stir(self, turn: int) -> None:
+        """Flip some voxels near the level at random, others at every turn: new places for moves that found none."""
+        near = self.near_level(2 * _SHARE_NEAR)
+        order = mix(near.astype(np.uint64), np.array([turn], np.uint64))[:, 0]
+        near = near[np.argsort(order, kind="stable")][:_BATCH]
+        near = near[self.solid.flippable(near)]
+        near = near[self.solid.apart(near)][: max(8, self.missing)]
+        self.flip(near)
 
     def within_need(self, index: np.ndarray) -> np.ndarray:
         """Return which flips (C,), in order of preference, no layer has had enough of before; bool (C,)."""
@@ -228,7 +241,7 @@ class ExactMoves:
         """Move voxels along the lines of one axis until its layers have their counts, or nothing more can be done."""
         lack = self.lacking[axis]
         failures = 0
-        while failures <= 200:
+        while failures <= _FAILURES:
             short, full = np.flatnonzero(lack > 0), np.flatnonzero(lack < 0)
             if not len(short) or not len(full):
                 return

@@ -17,6 +17,7 @@ from typing import List, Optional
 
 import numpy as np
 
+from ...errors import ParameterError
 from .plane_offsets import layer_sums, newton_offsets, solid_of
 from .texture import Texture, trabecular_field
 
@@ -89,6 +90,8 @@ def _fitted(packed: bytes, shape: tuple, mix: Optional[float]) -> Texture:
     rates, axes = np.linalg.eigh(wanted)
     # along a prism's axis nothing is crossed, and the waves are as long as they can be told from none
     least = (_START / (_LONGEST * max(window.shape))) ** 2
+    if rates[-1] < least:
+        raise ParameterError("a sample must have a surface to fit a texture to, got one that is empty or full")
     if rates[0] < least:
         rates = np.maximum(rates, least)
         wanted = (axes * rates) @ axes.T

@@ -191,16 +191,17 @@ def thick_start(
         solid = _of_cubes(solid_of(field, offsets), mask, thickness, void, contacts)
         lacking = [w - s for w, s in zip(wanted, layer_sums(solid))]
         missing = float(sum(np.abs(lack).sum() for lack in lacking))
-        if missing < best[0] and thin_voxels(solid, thickness, void) == (0, 0):
+        if missing < best[0] and solid.any() and thin_voxels(solid, thickness, void) == (0, 0):
             best = (missing, solid, offsets)
         if missing <= _NEAR * float(wanted[0].sum()):
             break
         raised = [np.clip(r + lack, 0, np.maximum(n, w)) for r, lack, n, w in zip(raised, lacking, room, wanted)]
         progress(number + 1, _RAISES, "thickness")
     if best[1] is None:
+        thin, narrow = thin_voxels(solid, thickness, void)
         raise ExactnessError(
-            f"solid must be at least {thickness} and void {void} voxels thick; "
-            f"{thin_voxels(solid, thickness, void)[0]} voxels stayed thinner; longer waves or smaller voxels may do"
+            f"solid must be at least {thickness} and void {void} voxels thick; of {np.count_nonzero(solid)} solid ones "
+            f"{thin} and of the void {narrow} stayed thinner; longer waves or smaller voxels may do"
         )
     return best[1], best[2]
 
