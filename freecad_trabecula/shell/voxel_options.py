@@ -120,6 +120,8 @@ def check_voxels(options: Dict[str, Any]) -> Optional[str]:
         return "where shall it go? --out DIR is needed (or --estimate, to be told only)"
     if options["rates"] is not None and options["rates"] < 1:
         return f"--rates must be at least 1, got {options['rates']}"
+    if (options["count"] or options["rates"]) and (options["mask"] or options["density"] is not None):
+        return "--count and --rates are about boxes: they do not go with --mask and --density"
     if options["boundary"] and not options["mask"] and options["density"] is None:
         return "--boundary is about --mask or --density, and neither is given"
     if options["density"] is not None and (options["mask"] or options["tables"]):

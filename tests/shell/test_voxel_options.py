@@ -61,6 +61,7 @@ def test_file_names_become_absolute():
         (["bone.stl", *OUT, "--rates", "0"], "--rates must be at least 1, got 0"),
         (["bone.stl", *OUT, "--boundary", "half"], "--boundary is about --mask or --density"),
         (["bone.stl", *OUT, "--density", "0.3", "--mask", "m.stl"], "--density makes FILE the envelope"),
+        (["bone.stl", *OUT, "--density", "0.3", "--count"], "--count and --rates are about boxes"),
         (["bone.stl", *OUT, "--images", "gif"], "invalid choice: 'gif'"),
     ],
 )

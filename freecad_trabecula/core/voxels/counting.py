@@ -139,7 +139,13 @@ def count_systems(design: VoxelDesign, progress: Progress = silent) -> SystemCou
     ----------
     design : VoxelDesign
     progress : callable
+
+    Raises
+    ------
+    ParameterError
+        If the design lies in a mask: lines of different lengths are not counted.
     """
+    require(design.mask is None, "designs are counted in boxes, not in", "a mask")
     targets, seed = design.targets, design.parameters.seed
     cap_alpha, cap_beta = caps_of(targets, design.parameters)
     streams = [Stream(seed, "voxels", "counting", name) for name in ("alpha", "beta", "layers")]

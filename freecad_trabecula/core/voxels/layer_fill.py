@@ -99,8 +99,9 @@ def shuffled_layers(voxels: np.ndarray, stream: Stream, rounds: int = 12, progre
     """
     voxels = np.array(voxels, bool, order="C")
     for done in range(rounds):
-        progress(done, rounds, "random layers")
-        for layer in voxels:
+        for number, layer in enumerate(voxels):
+            if number % 16 == 0:
+                progress(done + number / len(voxels), rounds, "random layers")
             _trade(layer, stream)
     return voxels
 

@@ -167,7 +167,7 @@ def _pair_by_constraint(
     for attempt in range(1, min(parameters.tries, 8) + 1):
         first = solve_table(targets.c, targets.d, ranks, parameters.solver, stream, halves[0], near_alpha)
         for level in (False, True):
-            cells = levelled_table(first.cells, cap_alpha) if level else first.cells
+            cells = levelled_table(first.cells, cap_alpha, halves[0]) if level else first.cells
             partner = partner_ranks(cells, m, cap_beta)
             if fits(targets.e, partner.sum(0)):
                 second = solve_table(targets.c, targets.e, partner, parameters.solver, stream, halves[1], near_beta)
@@ -236,7 +236,7 @@ def pair_rates(
     return PairRates(pairs, solved, layers / max(solved, 1), compatible)
 
 
-def levelled_table(cells: np.ndarray, cap: int) -> np.ndarray:
+def levelled_table(cells: np.ndarray, cap: int, progress: Progress = silent) -> np.ndarray:
     """Return a table of the same sums whose cells are more even: the more even alpha is, the more counts along Y fit.
 
     Switches of 2 x 2 cells that lower the sum of squares, row after row, until none is left or the rounds are over.
@@ -246,11 +246,13 @@ def levelled_table(cells: np.ndarray, cap: int) -> np.ndarray:
     cells : ndarray of shape (R, K), int
     cap : int
         Most in a cell.
+    progress : callable
     """
     cells = cells.copy()
-    for _ in range(_SWITCHES):
+    for done in range(_SWITCHES):
         changed = False
         for i in range(len(cells)):
+            progress(done + i / len(cells), _SWITCHES, "levelling tables")
             for j in range(i):
                 gap = cells[i] - cells[j]
                 high, low = int(np.argmax(gap)), int(np.argmin(gap))

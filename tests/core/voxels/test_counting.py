@@ -19,7 +19,7 @@ from freecad_trabecula.core.voxels.counting import (
     log10_of,
     row_designs,
 )
-from freecad_trabecula.core.voxels.design import make_design
+from freecad_trabecula.core.voxels.design import VoxelDesign, make_design
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.voxels.targets import targets_of_voxels
 from freecad_trabecula.errors import ParameterError
@@ -95,6 +95,13 @@ def test_a_design_is_counted_with_its_tables():
 def test_bounds_that_cannot_be_are_refused(most, least):
     with pytest.raises(ParameterError, match="two bounds|must not be negative"):
         bounded_solutions(2, most, least)
+
+
+def test_a_design_in_a_mask_is_not_counted():
+    voxels = np.eye(3, dtype=bool)[None]
+    design = VoxelDesign(voxels, targets_of_voxels(voxels), VoxelParameters(strategy="minimum-zeros"), voxels)
+    with pytest.raises(ParameterError, match="counted in boxes, not in, got a mask"):
+        count_systems(design)
 
 
 def test_an_equation_without_variables_is_refused():
