@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Iterator, List, Optional, Tuple
+from typing import Iterator, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from ..progress import Progress, silent
+from ..progress import Progress, part, silent
 from .contours import Contours
 from .fill import offset_contours, united
 from .parameters import SliceParameters
@@ -74,17 +74,19 @@ def mend(contours: Contours, parameters: SliceParameters, progress: Progress = s
     found = Repairs(*(np.zeros(slices, float if f.name == "longest_gap" else np.int64) for f in fields(Repairs)))
     found.open_chains[:] = _per_plane(contours, ~contours.closed)
     if not contours.closed.all():
-        contours = _joined(contours, parameters.gap, parameters.iterations, found.gaps_filled, found.longest_gap)
+        fill, bridge = _Joins(parameters.gap, parameters.iterations), _Joins(np.inf, None)
+        contours = _joined(contours, fill, found.gaps_filled, found.longest_gap, part(progress, 0.0, 0.3))
         contours = _filtered(contours, ~contours.closed, parameters.filter_open, found.removed_open)
-        contours = _joined(contours, np.inf, None, found.gaps_bridged, found.longest_gap)
+        contours = _joined(contours, bridge, found.gaps_bridged, found.longest_gap, part(progress, 0.3, 0.6))
+    rest = part(progress, 0.6, 1.0)
     contours = _filtered(contours, contours.closed, parameters.filter_closed, found.removed_closed)
     tolerance = SMOOTHING_SHARE[parameters.smoothing] * parameters.thickness
     if tolerance:
         contours, found.points_smoothed[:] = smoothed(contours, tolerance)
     if parameters.compensation:
-        contours, found.offset[:] = offset_contours(contours, parameters.compensation, progress)  # unites them too
+        contours, found.offset[:] = offset_contours(contours, parameters.compensation, rest)  # unites them too
     elif parameters.fill == "union":
-        contours, found.united[:] = united(contours, progress)
+        contours, found.united[:] = united(contours, rest)
     return contours, found
 
 
@@ -104,21 +106,25 @@ def _filtered(contours: Contours, which: np.ndarray, least: float, removed: np.n
 # ----------------------------------------------------------------------------------------------------------- joining
 
 
-def _joined(
-    contours: Contours, limit: float, rounds: Optional[int], joins: np.ndarray, longest: np.ndarray
-) -> Contours:
-    """Join ends of open chains to nearest starts on their plane, up to a distance, in so many rounds (None: all).
+class _Joins(NamedTuple):
+    """Longest gap (mm) that is closed, and rounds of closing (None: as many as it takes)."""
 
-    ``joins`` and ``longest`` (S,) are counted up.
-    """
+    limit: float
+    rounds: Optional[int]
+
+
+def _joined(contours: Contours, joins: _Joins, counts: np.ndarray, longest: np.ndarray,
+            progress: Progress) -> Contours:  # fmt: skip
+    """Join ends of open chains to nearest starts on their plane; ``counts`` and ``longest`` (S,) are counted up."""
     loose = np.flatnonzero(~contours.closed)
     planes: Tuple[List[int], List[int]] = ([], [])
     lines: Tuple[List[np.ndarray], List[np.ndarray]] = ([], [])
     for plane in np.unique(contours.plane[loose]):
         chains = loose[slice(*np.searchsorted(contours.plane[loose], [plane, plane + 1]))]
         starts, ends = contours.points[contours.starts[chains]], contours.points[contours.starts[chains + 1] - 1]
-        follow, gaps = nearest_starts(starts, ends, limit, rounds)
-        joins[plane] += len(gaps)
+        follow, gaps = nearest_starts(starts, ends, *joins)
+        counts[plane] += len(gaps)
+        progress(plane, len(contours.heights), "joining open contours")
         longest[plane] = max(longest[plane], gaps.max(initial=0.0))
         pieces = [contours.points[contours.starts[c] : contours.starts[c + 1]] for c in chains]
         for ring, order in _strung(follow):

@@ -12,7 +12,7 @@ from freecad_trabecula.core.analysis.repair import mend, nearest_starts, smoothe
 from freecad_trabecula.core.analysis.slices import slice_contours, sliced_areas
 from freecad_trabecula.core.analysis.soundness import mesh_facts
 from freecad_trabecula.core.analysis.triangles import Soup
-from freecad_trabecula.errors import ParameterError
+from freecad_trabecula.errors import Cancelled, ParameterError
 
 
 def stack(*slices):
@@ -197,3 +197,11 @@ def test_options_that_cannot_be_are_refused_before_anything_is_mended():
     for wrong in ({"gap": -0.01}, {"filter_closed": -1}, {"smoothing": "light"}):
         with pytest.raises(ParameterError):
             mend(stack([(circle(1.0), True)]), SliceParameters(**wrong))
+
+
+def test_joining_can_be_cancelled():
+    def stop(done, total, what):
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        mend(stack([([[0, 0], [1, 0], [1, 1]], False)]), SliceParameters(), stop)
