@@ -189,8 +189,8 @@ def analysis_of(obj: Any) -> core.Analysis:
     >>> import FreeCAD
     >>> from freecad_trabecula import make
     >>> box = make.make_box(FreeCAD.newDocument(), 2, 3, 4)
-    >>> make.analysis_of(make.make_analysis(box.Document, box)).profiles["x"].sliced_area[0]
-    12.0
+    >>> make.analysis_of(make.make_analysis(box.Document, box)).profiles["x"].sliced_area.round(9)[:3].tolist()
+    [12.0, 12.0, 12.0]
     """
     if not obj.ResultKey:
         raise ParameterError(f"{obj.Label} must have been computed, got: {obj.Status or 'nothing yet'}")

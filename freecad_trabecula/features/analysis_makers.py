@@ -12,10 +12,13 @@ from ..core.analysis import comparison, passport
 from ..core.analysis.parameters import SliceParameters
 from ..core.booleans import manifold_available
 from ..core.progress import Progress, silent
+from ..core.voxels.parameters import VoxelParameters
 from .analysis import Analysis, analysis_of, write_slice_parameters
+from .base import read_parameters
 from .feature import is_a, update
 from .makers import add, all_or_nothing
 from .network import Network
+from .voxel_design import VoxelDesign
 from .wireframe import Wireframe
 
 
@@ -108,7 +111,9 @@ def change_analysis(
 
 
 def default_parameters(source: Any) -> SliceParameters:
-    """Return the parameters that suit a body: rods that cross are united where that can be done."""
+    """Return the parameters that suit a body: crossing rods united where that can be done, voxels layer by layer."""
+    if is_a(source, VoxelDesign):
+        return SliceParameters(thickness=min(read_parameters(source, VoxelParameters).size))
     unites = is_a(source, Network, Wireframe) and manifold_available()
     return SliceParameters(fill="union" if unites else "winding")
 
@@ -117,6 +122,8 @@ def design_envelope(obj: Any) -> Any:
     """Return the envelope of the design to which one of our objects belongs; None for all else."""
     if not is_a(obj):
         return None
+    if is_a(obj, VoxelDesign):
+        return obj.Envelope
     owner = getattr(obj, "Scaffold", None) or obj
     wireframe = owner if is_a(owner, Wireframe) else getattr(owner, "Wireframe", None)
     return getattr(wireframe, "Envelope", None)
@@ -147,8 +154,8 @@ def compare_analyses(
     >>> from freecad_trabecula import make
     >>> boxes = [make.make_box(FreeCAD.newDocument(), 2, 3, h) for h in (3, 4)]
     >>> found = make.compare_analyses([make.make_analysis(box.Document, box) for box in boxes])
-    >>> float(found.axes["x"].values["sliced_area"][1, 0])
-    12.0
+    >>> found.axes["x"].values["sliced_area"].round(9)[:, 0].tolist()
+    [9.0, 12.0]
     """
     return comparison.compare([analysis_of(obj) for obj in analyses], thickness, alignment)
 

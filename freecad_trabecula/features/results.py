@@ -26,6 +26,7 @@ KINDS = (
     "envelope",
     "sites",
     "wireframe",
+    "seen",
     "network",
     "scaffold",
     "solid",

@@ -36,7 +36,7 @@ from .voxel_design import Inputs as VoxelInputs
 from .voxel_design import VoxelDesign
 from .voxel_design import run_inputs as run_voxel_inputs
 from .voxel_design import write_inputs as write_voxel_inputs
-from .wireframe import Inputs, Wireframe, history, made, recall, wireframe_key
+from .wireframe import SEEN, Inputs, Wireframe, history, made, recall, seen_of, wireframe_key
 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
 #: What the objects show: rods that have not changed are taken from there.
@@ -63,8 +63,8 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     make.write_task(folder, [design.wireframe])
     ...     make.run_task(folder)  # in another process: freecad_trabecula.shell.worker
-    ...     make.take_results(folder)  # envelope and wireframe
-    2
+    ...     make.take_results(folder)  # envelope, wireframe, what is seen of it
+    3
     """
     if is_a(objects[0], Analysis):
         write_analysis_task(folder, objects[0].Proxy.inputs(objects[0]))
@@ -164,7 +164,9 @@ def run_task(folder: str, progress: Progress = silent) -> None:
         history().learn(read_value(place / _BEFORE))
     bodies = [one for one in task["wanted"] if one["kind"] not in (Wireframe.KIND, "envelope")]
     rest = 0.8 if bodies else 0.0
-    made(inputs, part(progress, 0.1, 1.0 - rest))
+    wireframe = made(inputs, part(progress, 0.1, 1.0 - rest))
+    results.found_or_made(SEEN, inputs.key, lambda: seen_of(inputs, wireframe))
+    found.append((SEEN, inputs.key))
     if len(bodies) < len(task["wanted"]):
         found += _known(job, inputs)
     shown = place / _SHOWN

@@ -134,14 +134,9 @@ class VoxelDesign(OnDemand):
         ExportError
             If the file is not there.
         """
-        parameters = read_parameters(obj, VoxelParameters)
-        envelope = object_source(obj.Envelope) if obj.Envelope is not None else None
         if obj.Source is None and not obj.File:
             raise ParameterError(f"{obj.Label} must have a sample, a source or a file, got neither")
-        if is_a(obj.Source, Analysis):
-            return Inputs(None, analysis_of(obj.Source), obj.Source.ResultKey, envelope, parameters, obj.Surface)
-        body = object_source(obj.Source) if obj.Source is not None else _file_source(obj.File)
-        return Inputs(body, None, body.key, envelope, parameters, obj.Surface)
+        return inputs_of(obj.Source or obj.File, read_parameters(obj, VoxelParameters), obj.Envelope, obj.Surface)
 
     def key(self, obj: Any) -> str:
         """Return the key of the present inputs."""
@@ -176,6 +171,29 @@ class VoxelDesign(OnDemand):
         """Return how many voxels in how many parts."""
         parts = "one part" if obj.Components == 1 else f"{obj.Components} parts"
         return f"{obj.Voxels} voxels in {parts}, exact along X, Y and Z, bone fraction {obj.BoneFraction:.2f} %"
+
+
+def inputs_of(sample: Any, parameters: VoxelParameters, envelope: Any = None, surface: str = "blocks") -> Inputs:
+    """Return all that a design depends on.
+
+    Parameters
+    ----------
+    sample : document object or str
+        A body, an analysis, or the path of a file.
+    parameters : VoxelParameters
+    envelope : document object or None
+    surface : str
+
+    Raises
+    ------
+    ParameterError
+        If there is no such sample.
+    """
+    within = object_source(envelope) if envelope is not None else None
+    if is_a(sample, Analysis):
+        return Inputs(None, analysis_of(sample), sample.ResultKey, within, parameters, surface)
+    body = _file_source(sample) if isinstance(sample, str) else object_source(sample)
+    return Inputs(body, None, body.key, within, parameters, surface)
 
 
 def _file_source(path: str) -> Source:
@@ -288,6 +306,12 @@ def unpacked_bits(numbers: np.ndarray, shape: Tuple[int, ...]) -> np.ndarray:
     return np.unpackbits(six.ravel())[: math.prod(shape)].reshape(shape).astype(bool)
 
 
+def design_at_hand(obj: Any) -> Optional[core.VoxelDesign]:
+    """Return the design that an object shows with its sample, if it has one; None if it would have to be made anew."""
+    found = results.find(VoxelDesign.KIND, obj.ResultKey)
+    return found.design if found is not None else None
+
+
 def voxel_design_of(obj: Any) -> core.VoxelDesign:
     """Return the design that a document object shows.
 
@@ -311,9 +335,9 @@ def voxel_design_of(obj: Any) -> core.VoxelDesign:
     """
     if not obj.ResultKey:
         raise ParameterError(f"{obj.Label} must have been computed, got: {obj.Status or 'nothing yet'}")
-    found = results.find(VoxelDesign.KIND, obj.ResultKey)
+    found = design_at_hand(obj)
     if found is not None:
-        return found.design
+        return found
     try:
         kept = from_numbers(obj.Structure, obj.Numbers)
     except ExportError as error:

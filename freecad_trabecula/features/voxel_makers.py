@@ -3,16 +3,22 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, Tuple, Union
 
 import FreeCAD
 
 from ..core.progress import Progress, silent
+from ..core.voxels.design import Estimate, estimate
 from ..core.voxels.parameters import VoxelParameters
+from ..core.voxels.sources import MESHES, layers_of_source, read_triangles, targets_of_profiles
+from ..core.voxels.targets import layer_counts_of_box
 from ..geometry.voxel_shapes import layer_solids, layer_wires
+from .analysis import Analysis, analysis_of
+from .analysis_source import file_source
 from .base import write_parameters
-from .feature import update
+from .feature import is_a, update
 from .makers import add, all_or_nothing
 from .voxel_design import VoxelDesign, check_surface, voxel_design_of
 
@@ -138,3 +144,51 @@ def make_layer_shapes(obj: Any, layers: Sequence[int], solid: bool = False, prog
         found.Label = f"Layers of {obj.Label}"
         found.Shape = shape
     return found
+
+
+def estimate_voxel_design(sample: Any, parameters: VoxelParameters) -> Estimate:
+    """Return what a design of a sample will take, before it is made; quick, but for the first look at a file.
+
+    Parameters
+    ----------
+    sample : document object or str
+        A body, an analysis, or the path of a file.
+    parameters : VoxelParameters
+
+    Raises
+    ------
+    TrabeculaError
+        If a voxel is larger than the sample, there are too many, or the sample does not go with the voxel size.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.voxels.parameters import VoxelParameters
+    >>> box = make.make_box(FreeCAD.newDocument(), 4, 5, 6)
+    >>> make.estimate_voxel_design(box, VoxelParameters(size=(0.5, 0.5, 0.5))).layers
+    (8, 10, 12)
+    """
+    if isinstance(sample, str):
+        mark = file_source(sample).key  # changes when the file does
+        if Path(sample).suffix.lower() in MESHES:
+            layers = layer_counts_of_box(_edges_of_file(sample, mark), parameters.size, parameters.areas)
+        else:
+            layers = _layers_of_file(sample, mark, parameters)
+    elif is_a(sample, Analysis):
+        layers = targets_of_profiles(analysis_of(sample), parameters).layers
+    else:
+        box = (sample.Mesh if hasattr(sample, "Mesh") else sample.Shape).BoundBox
+        layers = layer_counts_of_box((box.XLength, box.YLength, box.ZLength), parameters.size, parameters.areas)
+    return estimate(layers, parameters.strategy)
+
+
+@lru_cache(maxsize=8)
+def _edges_of_file(path: str, mark: str) -> Tuple[float, ...]:
+    triangles = read_triangles(path)
+    return tuple((triangles.max((0, 1)).astype(float) - triangles.min((0, 1))).tolist())
+
+
+@lru_cache(maxsize=64)
+def _layers_of_file(path: str, mark: str, parameters: VoxelParameters) -> Tuple[int, int, int]:
+    return layers_of_source(path, parameters)

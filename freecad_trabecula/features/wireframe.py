@@ -25,6 +25,7 @@ from .feature import Property, result
 from .on_demand import COMPUTING, RESULT_KEY, Keyed
 from .packing import from_numbers, to_numbers
 
+SEEN = "seen"  # kind of results
 FEW = 60  # rods that are mended while a window waits
 _SEEDS = (1, 0, LARGEST_SEED, 1)  # value, least, greatest, step
 
@@ -37,6 +38,13 @@ class Inputs(NamedTuple):
     parameters: WireframeParameters
     mark: str
     key: str
+
+
+class Seen(NamedTuple):
+    """What is seen of a wireframe: two edges a rod in their order, then the pores; what is wrong with these."""
+
+    shape: Part.Shape
+    warnings: Tuple[str, ...]
 
 
 class Wireframe(Keyed):
@@ -153,16 +161,14 @@ class Wireframe(Keyed):
     def show(self, obj: Any, value: Mended) -> None:
         """Show paths and end sections, and what is known of them."""
         wireframe = value.wireframe
-        coupled = of_coupled_faces(wireframe)
-        pores, paths, _ = wireframe_shape(coupled).childShapes()
-        warnings = pore_warnings(coupled, self.inputs(obj).faces)
+        seen = results.found_or_made(SEEN, self.key(obj), lambda: seen_of(self.inputs(obj), wireframe))
         obj.Structure, obj.Numbers = to_numbers(value)
         obj.Rods = len(wireframe)
         obj.CouplingTable = lines_of(wireframe.rows)
         obj.Recoveries = lines_of(wireframe.recoveries)
-        obj.Failed, obj.Outside, obj.Warnings = list(wireframe.failed), list(wireframe.outside), warnings
+        obj.Failed, obj.Outside, obj.Warnings = list(wireframe.failed), list(wireframe.outside), list(seen.warnings)
         obj.PoreSizes, obj.PoreAreas = sections(wireframe)
-        obj.Shape = Part.makeCompound([paths, pores])  # two edges a rod, in their order; then the pores
+        obj.Shape = seen.shape
 
     def said(self, obj: Any) -> str:
         """Return what a user should know, in one line."""
@@ -170,6 +176,13 @@ class Wireframe(Keyed):
         counts = ((obj.Recoveries, "mended"), (obj.Failed, "failed and left out"), (obj.Outside, "leave the envelope"))
         parts += [f"{len(names)} {what}" for names, what in counts if names]
         return "; ".join([", ".join(parts), *obj.Warnings])
+
+
+def seen_of(inputs: Inputs, wireframe: core.Wireframe) -> Seen:
+    """Return what is seen of a wireframe."""
+    coupled = of_coupled_faces(wireframe)
+    pores, paths, _ = wireframe_shape(coupled).childShapes()
+    return Seen(Part.makeCompound([paths, pores]), tuple(pore_warnings(coupled, inputs.faces)))
 
 
 def of_coupled_faces(wireframe: core.Wireframe) -> core.Wireframe:

@@ -159,7 +159,9 @@ def design_wireframe(
     """
     raw = design_draft(parameters, envelope, faces, part(progress, 0.0, 0.1))
     progress(0.1, 1, "faults")
-    return history.mend(raw, parameters, envelope.region, envelope.contains, mark, part(progress, 0.1, 1.0))
+    mended = history.mend(raw, parameters, envelope.region, envelope.contains, mark, part(progress, 0.1, 1.0))
+    progress(1, 1, "wireframe")
+    return mended
 
 
 def make_design(job: Job, progress: Progress = silent) -> Design:

@@ -323,12 +323,16 @@ def slice_of(analysis: Analysis, contours: Any, axis: str, plane: int) -> Slice:
     measures, profile = analysis.measures[axis], analysis.profiles[axis]
     first, last = np.searchsorted(contours.plane, [plane, plane + 1])
     low, high = plane_box(axis, analysis.box)
-    words = translate("Trabecula", "{} = {} mm: {} contours, {} mm², porosity {} %").format(
-        title(axis), f"{profile.coordinate[plane]:.3f}", int(profile.contours[plane]),
-        number_text(profile.sliced_area[plane]), number_text(100 * profile.porosity[plane]),
-    )  # fmt: skip
+    where = translate("Trabecula", "{} = {:.3f} mm, {} contours").format(
+        title(axis), profile.coordinate[plane], int(profile.contours[plane])
+    )
+    numbers = translate("Trabecula", "{} mm², porosity {} %").format(
+        number_text(profile.sliced_area[plane]), number_text(100 * profile.porosity[plane])
+    )
     rows = slice(first, last)
-    return Slice(list(contours.of_plane(plane)), measures.area[rows], measures.is_rod[rows], low, high, words)
+    return Slice(
+        list(contours.of_plane(plane)), measures.area[rows], measures.is_rod[rows], low, high, (where, numbers)
+    )
 
 
 _docks: List[AnalysisDock] = []

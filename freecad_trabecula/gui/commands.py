@@ -26,6 +26,7 @@ from .rod_dock import toggle_dock
 from .site_panel import open_site_panel
 from .transactions import say, transaction
 from .view_providers import parts_of, products_of, type_of, wireframe_of
+from .voxel_commands import COMMANDS as VOXEL_COMMANDS
 
 translate = FreeCAD.Qt.translate
 _JOB_FILES = "Trabecula job (*.json)"
@@ -253,7 +254,8 @@ TOOLBAR = (
     *("Trabecula_Design", "Trabecula_Presets", "Trabecula_FaceSites", "Trabecula_EditSite", ""),
     *("Trabecula_Network", "Trabecula_Scaffold", "Trabecula_Switch", "Trabecula_RodInfo", ""),
     *("Trabecula_Results", "Trabecula_Export", "Trabecula_OpenJob", "Trabecula_SaveJob", ""),
-    *("Trabecula_Analysis", "Trabecula_AnalyseNow", "Trabecula_Plots", "Trabecula_Compare"),
+    *("Trabecula_Analysis", "Trabecula_AnalyseNow", "Trabecula_Plots", "Trabecula_Compare", ""),
+    *("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_LayerShapes", "Trabecula_VoxelExport"),
 )
 
 
@@ -261,7 +263,7 @@ def register(workbench: Any) -> None:
     """Register all commands and give the workbench its toolbar and its menu."""
     kinds = (DesignRods, FaceSitesCommand, EditSite, BuildNetwork, BuildScaffold, SwitchView)
     commands = [kind() for kind in (*kinds, RodInfo, Results, Export, OpenJob, SaveJob)]
-    commands += [kind() for kind in ANALYSIS_COMMANDS]
+    commands += [kind() for kind in (*ANALYSIS_COMMANDS, *VOXEL_COMMANDS)]
     commands += [LoadPreset(name) for name in PRESETS] + [Presets()]
     for command in commands:
         FreeCADGui.addCommand(command.NAME, command)

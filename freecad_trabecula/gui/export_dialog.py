@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, List, Optional, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -58,19 +58,26 @@ class ExportDialog(QtGui.QDialog):
         """Return the body and the format."""
         return self._bodies[max(self.body.currentIndex(), 0)], str(self.format.currentText())
 
+    def kinds(self, obj: Any) -> Sequence[str]:
+        """Return the formats that are offered for a body."""
+        return MESH_FORMATS if hasattr(obj, "Mesh") else [kind for kind in SHAPE_FORMATS if kind not in _SAME]
+
+    def size_of(self, obj: Any, kind: str) -> int:
+        """Return about how many bytes a body takes in a file."""
+        return estimated_size(obj, kind)
+
     def _offer_formats(self) -> None:
         obj = self._bodies[max(self.body.currentIndex(), 0)]
-        kinds = MESH_FORMATS if hasattr(obj, "Mesh") else [kind for kind in SHAPE_FORMATS if kind not in _SAME]
         self.format.blockSignals(True)
         self.format.clear()
-        self.format.addItems(list(kinds))
+        self.format.addItems(list(self.kinds(obj)))
         self.format.blockSignals(False)
         self._show_size()
 
     def _show_size(self) -> None:
         obj, kind = self.chosen()
         if (obj.Name, kind) not in self._sizes:
-            self._sizes[obj.Name, kind] = estimated_size(obj, kind)
+            self._sizes[obj.Name, kind] = self.size_of(obj, kind)
         self.size.setText(size_text(self._sizes[obj.Name, kind]))
         current = getattr(obj, "UpToDate", True)
         self.note.setText("" if current else translate("Trabecula", "This body is out of date: build it again first"))
@@ -127,20 +134,30 @@ def export_design(wireframe: Any) -> Optional[str]:
     bodies = [one for one in parts_of(wireframe) if exists(one)]
     if not bodies:
         raise ParameterError("a design needs a network or a scaffold to be exported, got none: build one first")
-    window = FreeCADGui.getMainWindow()
-    dialog = ExportDialog(window, bodies)
+    dialog = ExportDialog(FreeCADGui.getMainWindow(), bodies)
     if not run_dialog(dialog):
         return None
-    obj, kind = dialog.chosen()
+    return ask_and_write(*dialog.chosen(), write_body)
+
+
+def ask_and_write(obj: Any, kind: str, write: Callable[[Any, str], None]) -> Optional[str]:
+    """Ask for a file of a kind and have a body written there; return the file's name, None if it was not to be.
+
+    Raises
+    ------
+    TrabeculaError
+        If it cannot be written.
+    """
     name = f"{obj.Document.Label}-{obj.Label}.{kind}".replace(" ", "_")
     folder = os.path.dirname(obj.Document.FileName)
     path, _ = QtGui.QFileDialog.getSaveFileName(
-        window, translate("Trabecula", "Export"), os.path.join(folder, name), f"{kind.upper()} (*.{kind})"
-    )
+        FreeCADGui.getMainWindow(), translate("Trabecula", "Export"), os.path.join(folder, name),
+        f"{kind.upper()} (*.{kind})",
+    )  # fmt: skip
     if not path:
         return None
     path = path if path.lower().endswith("." + kind) else f"{path}.{kind}"
-    write_body(obj, path)
+    write(obj, path)
     say(translate("Trabecula", "{} was written: {}").format(path, size_text(os.path.getsize(path))))
     return path
 

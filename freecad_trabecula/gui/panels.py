@@ -38,6 +38,8 @@ def open_for(document: str, name: str) -> None:
     wireframe = wireframe_of(obj)
     if type_of(obj) == "Trabecula::Analysis":
         open_analysis(obj.Document, obj)
+    elif type_of(obj) == "Trabecula::VoxelDesign":
+        open_voxels(obj.Document, obj)
     elif wireframe is None:
         say(translate("Trabecula", "{} belongs to no design yet").format(obj.Label))
     elif obj in products_of(wireframe):
@@ -148,6 +150,15 @@ def open_analysis(document: Any, obj: Any = None, source: Any = None) -> None:
     if is_free():
         with told():
             show_panel(AnalysisPanel(document, obj, source))
+
+
+def open_voxels(document: Any, obj: Any = None, source: Any = None) -> None:
+    """Open the panel of voxel designs: for one that is there, or for a new one of a source."""
+    from .voxel_panel import VoxelPanel
+
+    if is_free():
+        with told():
+            show_panel(VoxelPanel(document, obj, source))
 
 
 def wireframes(document: Any) -> list:

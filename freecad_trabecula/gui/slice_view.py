@@ -29,8 +29,8 @@ class Slice(NamedTuple):
     rods : ndarray (C,) of bool
     low, high : ndarray (2,), mm
         Corners of the body's box in the plane.
-    words : str
-        Where it is, and its numbers.
+    words : sequence of str
+        Lines above it: where it is, its numbers.
     """
 
     contours: Sequence[np.ndarray]
@@ -38,7 +38,7 @@ class Slice(NamedTuple):
     rods: np.ndarray
     low: np.ndarray
     high: np.ndarray
-    words: str
+    words: Sequence[str]
 
 
 class SliceView(QtGui.QWidget):
@@ -71,8 +71,9 @@ class SliceView(QtGui.QWidget):
 
     def _paint_slice(self, painter: Any, paper: Any, ink: Any) -> None:
         one = self.slice
-        words = painter.fontMetrics().elidedText(one.words, QtCore.Qt.ElideRight, self.width() - 2 * _MARGIN)
-        painter.drawText(QtCore.QPointF(_MARGIN, 14), words)
+        for number, line in enumerate(one.words):
+            words = painter.fontMetrics().elidedText(line, QtCore.Qt.ElideRight, self.width() - 2 * _MARGIN)
+            painter.drawText(QtCore.QPointF(_MARGIN, 14 + 15 * number), words)
         scale, place = self._scale(one)
         frame = place(np.stack([one.low, one.high]))
         painter.setPen(QtGui.QPen(ink, 0.8, QtCore.Qt.DotLine))
@@ -87,10 +88,10 @@ class SliceView(QtGui.QWidget):
     def _scale(self, one: Slice) -> Tuple[float, Any]:
         """Pixels per mm, and the function from mm (K, 2) to pixels (K, 2)."""
         size = np.maximum(one.high - one.low, 1e-9)
-        room = np.array([self.width() - 2 * _MARGIN, self.height() - 2 * _MARGIN - 2 * _TEXT], float)
+        room = np.array([self.width() - 2 * _MARGIN, self.height() - 2 * _MARGIN - 3 * _TEXT], float)
         scale = float((room / size).min())
         middle = (one.low + one.high) / 2
-        centre = np.array([self.width() / 2, _TEXT + (self.height() - 2 * _TEXT) / 2])
+        centre = np.array([self.width() / 2, 2 * _TEXT + (self.height() - 3 * _TEXT) / 2])
         return scale, lambda points: centre + (np.asarray(points, float) - middle) * (scale, -scale)
 
     def _paint_legend(self, painter: Any, ink: Any) -> None:

@@ -33,6 +33,7 @@ LOOKS: Dict[str, Look] = {
     "Trabecula::Network": Look("Trabecula_network", _BONE),
     "Trabecula::Scaffold": Look("Trabecula_scaffold", _BONE),
     "Trabecula::SolidScaffold": Look("Trabecula_solid_scaffold", _BONE),
+    "Trabecula::VoxelDesign": Look("Trabecula_voxels", _BONE),
     "Trabecula::Analysis": Look("Trabecula_analysis", _BONE),
     "Trabecula::Body channels": Look("Trabecula_channels", _TEAL, visible=False),
     "Trabecula::Body loose": Look("Trabecula_loose", _RED),

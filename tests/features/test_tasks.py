@@ -47,7 +47,7 @@ class TasksTest(DocumentCase):
         shares = [m["share"] for m in messages if m["kind"] == "progress"]
         self.assertEqual(shares, sorted(shares))
         results.clear()
-        self.assertEqual(make.take_results(self.folder), 2)  # and the envelope
+        self.assertEqual(make.take_results(self.folder), 3)  # and the envelope, and what is seen
         key = wireframe.Proxy.inputs(wireframe).key
         self.assertEqual(results.find("wireframe", key).wireframe.keys(), here)
 
