@@ -13,6 +13,7 @@ from ..meshes import Mesh, is_closed, mesh_volume
 from ..records import to_record
 from .connectivity import closed_cavities, corner_contacts, edge_contacts, parts
 from .design import VoxelDesign
+from .feasibility import smallest_cap
 from .sources import targets_record
 from .targets import AXES
 from .trabeculae import mean_deviation, trabecula_counts
@@ -74,6 +75,8 @@ def design_record(
             "beta_max": int(design.beta.max()),
             "alpha_zeros": int((design.alpha == 0).sum()),
             "beta_zeros": int((design.beta == 0).sum()),
+            "alpha_smallest_cap": smallest_cap(design.targets.c, design.targets.d),
+            "beta_smallest_cap": smallest_cap(design.targets.c, design.targets.e),
         },
         "deltas": dict(zip(("delta_X", "delta_Y", "delta_Z"), design.targets.deltas)),
         "mean_thickness_voxels": _finite(design.targets.thickness / max(design.targets.voxel)),

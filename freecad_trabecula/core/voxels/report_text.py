@@ -106,6 +106,10 @@ def _figures(record: Mapping[str, Any]) -> List[Tuple[str, str]]:
         ("contacts by an edge alone", f"{record['edge_contacts']:,}"),
         ("contacts by a corner alone", f"{record['corner_contacts']:,}"),
         ("largest alpha, beta", f"{record['tables']['alpha_max']}, {record['tables']['beta_max']}"),
+        (
+            "smallest possible caps on alpha, beta",
+            f"{record['tables']['alpha_smallest_cap']}, {record['tables']['beta_smallest_cap']}",
+        ),
     ]
     if record["mean_thickness_voxels"] is not None:
         rows.append(("mean thickness of the sample (2 BV/BS), voxels", f"{record['mean_thickness_voxels']:.2f}"))

@@ -48,6 +48,8 @@ def test_the_record_holds_what_a_script_looks_for():
     assert record["targets"]["D"] == [4, 4, 4, 0, 1]
     assert record["trabeculae"]["z"]["per_layer"] == [1, 1, 1, 0]
     assert record["mesh"]["watertight"] is True and abs(record["mesh"]["volume_error"]) < 1e-12
+    # three columns of four voxels in two layers need 2 a line; four rows of 6, 6, 1 need 3
+    assert (record["tables"]["alpha_smallest_cap"], record["tables"]["beta_smallest_cap"]) == (2, 3)
     assert record["bone_fraction"] == pytest.approx(13 / 80)
     assert json.loads(record_json(record)) == json.loads(json.dumps(record))
 
