@@ -6,8 +6,8 @@ Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_
 By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers:
 ``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
-``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``, ``make_layer_shapes``. In another process:
-``write_task``, ``run_task``, ``take_results``.
+``estimate_voxel_design``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``, ``make_layer_shapes``.
+In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -16,7 +16,14 @@ from __future__ import annotations
 
 from .features.analysis import analysis_of, contours_of
 from .features.analysis_files import save_analysis, save_comparison
-from .features.analysis_makers import change_analysis, compare_analyses, default_parameters, make_analysis, passport_of
+from .features.analysis_makers import (
+    change_analysis,
+    compare_analyses,
+    default_parameters,
+    exact_slices,
+    make_analysis,
+    passport_of,
+)
 from .features.designs import Design, change_design, make_design
 from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
 from .features.exports import export
@@ -38,7 +45,12 @@ from .features.network import rod_at
 from .features.scaffold import bodies_of
 from .features.tasks import run_task, take_results, write_task
 from .features.voxel_design import voxel_design_of
-from .features.voxel_makers import change_voxel_design, make_layer_shapes, make_voxel_design
+from .features.voxel_makers import (
+    change_voxel_design,
+    estimate_voxel_design,
+    make_layer_shapes,
+    make_voxel_design,
+)
 from .features.wireframe import wireframe_of
 
 __all__ = [
@@ -54,6 +66,8 @@ __all__ = [
     "contours_of",
     "default_parameters",
     "edits_of",
+    "estimate_voxel_design",
+    "exact_slices",
     "export",
     "job_of",
     "make_analysis",

@@ -83,7 +83,7 @@ class AnalysisDock(QtGui.QDockWidget):
         for widget, stretch in ((left, 0), (self.tabs, 3), (self.view, 2)):
             split.addWidget(widget)
             split.setStretchFactor(split.count() - 1, stretch)
-        split.setSizes([_LIST, 600, 400])
+        split.setSizes([_LIST, 700, 330])
         return split
 
     def sizeHint(self) -> Any:

@@ -106,7 +106,7 @@ def _areas(analysis: Analysis, axis: str, across: str) -> Diagram:
         for words, rows, colour in kinds
         if rows.any()
     ]
-    return Diagram(across, translate("Trabecula", "trabecular area, mm²"), curves)
+    return Diagram(across, translate("Trabecula", "area, mm²"), curves)
 
 
 def _heat_map(analysis: Analysis, axis: str, across: str) -> Diagram:

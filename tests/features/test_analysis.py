@@ -135,6 +135,21 @@ class AnalysisTest(DocumentCase):
             area = float((u * np.roll(v, -1) - np.roll(u, -1) * v).sum() / 2)
             self.assertAlmostEqual(area, float(measures.area[0]), 9)
 
+    def test_exact_slices_are_the_closed_form_and_the_profile_is_near_them(self):
+        torus = self.document.addObject("Part::Torus", "Torus")
+        torus.Radius1, torus.Radius2 = 5, 2
+        self.document.recompute()
+        obj = make.make_analysis(self.document, torus, SliceParameters(0.5, ("z",)))
+        profile, exact = make.analysis_of(obj).profiles["z"], make.exact_slices(obj, "z")
+        expected = 20 * np.pi * np.sqrt(4 - profile.coordinate**2)
+        self.assertLess(np.abs(exact / expected - 1).max(), 1e-9)
+        self.assertLess(np.abs(profile.sliced_area / exact - 1).max(), 0.02)
+
+    def test_exact_slices_of_a_mesh_are_refused(self):
+        obj = make.make_analysis(self.document, self.mesh(Mesh.createBox(1, 1, 1)), COARSE)
+        with self.assertRaisesRegex(ParameterError, "those of a solid, got Bone"):
+            make.exact_slices(obj, "z")
+
     def test_contours_of_what_has_changed_or_of_no_axis_are_refused(self):
         box = self.box()
         obj = make.make_analysis(self.document, box, SliceParameters(0.5, ("z",)))
