@@ -192,11 +192,6 @@ def compare(analyses: Sequence[Analysis], thickness: Optional[float] = None, ali
     ------
     ParameterError
         If there are fewer than two analyses, none of their axes is common to all, or they share no whole layer.
-
-    Examples
-    --------
-    >>> compare([bone, design]).axes["x"].difference("sliced_area").meetings  # doctest: +SKIP
-    10
     """
     if len(analyses) < 2:
         raise ParameterError(f"a comparison needs at least two analyses, got {len(analyses)}")

@@ -5,7 +5,12 @@ import numpy as np
 import pytest
 
 from freecad_trabecula.core.voxels.plane_offsets import (
-    FORBIDDEN, layer_sums, newton_offsets, on_field, polished, solid_of,
+    FORBIDDEN,
+    layer_sums,
+    newton_offsets,
+    on_field,
+    polished,
+    solid_of,
 )  # fmt: skip
 from freecad_trabecula.core.voxels.texture import QUANTUM, Texture, trabecular_field
 from freecad_trabecula.errors import ParameterError
