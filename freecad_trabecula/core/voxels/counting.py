@@ -163,12 +163,11 @@ def counting_record(design: VoxelDesign, progress: Progress = silent) -> Dict[st
     names = ("tables alpha", "tables beta", "designs with this design's tables", "designs with these counts (entropy)")
     return {
         name: {
-            "log10": count.log10,
+            "log10": count.log10 if math.isfinite(count.log10) else None,  # no sample came to its end
             "standard_error": None if math.isnan(count.standard_error) else count.standard_error,
             "samples": count.samples,
         }
         for name, count in zip(names, counts)
-        if math.isfinite(count.log10)
     }
 
 

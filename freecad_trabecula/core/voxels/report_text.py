@@ -135,7 +135,11 @@ def _axes(record: Mapping[str, Any]) -> List[Tuple[str, ...]]:
 
 def _counting(record: Mapping[str, Any]) -> List[Tuple[str, str, str]]:
     return [
-        (name, f"{row['log10']:.2f}", f"{row['standard_error']:.2f}" if row["standard_error"] is not None else "")
+        (
+            name,
+            "no sample came to its end" if row["log10"] is None else f"{row['log10']:.2f}",
+            "" if row["standard_error"] is None else f"{row['standard_error']:.2f}",
+        )
         for name, row in record["counting"].items()
     ]
 

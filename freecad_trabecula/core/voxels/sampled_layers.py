@@ -8,15 +8,16 @@ samples of all layers are drawn together.
 
 from __future__ import annotations
 
-from typing import Tuple
+from typing import List, Tuple
 
 import numpy as np
 
-from ..progress import Progress, silent
+from ..progress import Progress, part, silent
 from ..streams import Stream
 from .log_counts import LogCount, log_count, product
 
 _TINY = 1e-300
+_POOR, _MORE = 10, 10  # layers that are drawn again at most, and with how many times the samples
 
 
 def count_layer(alpha: np.ndarray, beta: np.ndarray, samples: int, stream: Stream) -> LogCount:
@@ -39,15 +40,34 @@ def count_layers(
 ) -> LogCount:
     """Return how many designs have these tables: the product over their layers.
 
+    A few layers with few samples of weight are drawn again with ten times as many.
+
     Parameters
     ----------
     alpha : ndarray of shape (N, P), int
     beta : ndarray of shape (M, P), int
     samples : int
-        Of each layer.
+        Of each layer, at first.
     stream : Stream
     progress : callable
+
+    Returns
+    -------
+    LogCount
+        -inf if no sample of some layer came to its end: where the sums are either 0 or at a tight cap, few do.
     """
+    counts = _layer_counts(alpha, beta, samples, stream, part(progress, 0.0, 0.5))
+    poor = [k for k, count in enumerate(counts) if count.effective < min(samples, 4) / 2 + 1]
+    for done, k in enumerate(poor if len(poor) <= _POOR else ()):
+        step = part(progress, 0.5 + 0.5 * done / len(poor), 0.5 + 0.5 * (done + 1) / len(poor))
+        again = _layer_counts(alpha[:, [k]], beta[:, [k]], samples * _MORE, stream, step)[0]
+        counts[k] = max(counts[k], again, key=lambda count: count.effective)
+    return product(counts)
+
+
+def _layer_counts(
+    alpha: np.ndarray, beta: np.ndarray, samples: int, stream: Stream, progress: Progress
+) -> List[LogCount]:
     layers = alpha.shape[1]
     columns = -np.sort(-np.repeat(alpha.T, samples, axis=0), axis=1)  # (P S, N)
     rest = np.repeat(beta.T, samples, axis=0).astype(np.int64)  # (P S, M)
@@ -63,7 +83,7 @@ def count_layers(
         alive &= (rest >= 0).all(1) & (rest <= left - 1).all(1)
         rest[~alive] = 0
     log_weights[~alive] = -np.inf
-    return product([log_count(w) for w in log_weights.reshape(layers, samples)])
+    return [log_count(w) for w in log_weights.reshape(layers, samples)]
 
 
 def _drawn_column(
