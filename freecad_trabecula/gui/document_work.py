@@ -10,7 +10,7 @@ from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Set
 import FreeCAD
 
 from .. import make
-from ..errors import TrabeculaError
+from ..errors import Cancelled, TrabeculaError
 from ..features import results
 from .child_work import ChildWork, task_work
 from .recomputing import WorkBar
@@ -95,8 +95,9 @@ class DocumentWork:
         self._work = None
         try:
             make.take_results(folder)
-            if self._order.document in FreeCAD.listDocuments():
-                self._done(self._order.write())
+            if self._order.document not in FreeCAD.listDocuments():
+                raise Cancelled("the document was closed")
+            self._done(self._order.write())
         except TrabeculaError as error:
             self._failed(error)
 

@@ -322,6 +322,16 @@ class OneClickTest(AnalysisCase):
         # 75 circles, each along one axis: a slice across X cuts 25 whole rods and 50 lengthwise
         self.assertEqual(len(make.analysis_of(obj).profiles["x"]), 100)
 
+    def test_a_document_that_is_closed_meanwhile_leaves_nothing_behind(self):
+        self.select(self.torus())
+        FreeCADGui.runCommand("Trabecula_AnalyseNow")
+        settle(0.2)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.newDocument("Next")
+        self.assertTrue(wait(lambda: not is_busy(), 120))
+        settle(0.3)
+        self.assertEqual((self.document.Objects, self.dialogs), ([], []))
+
     def test_a_selection_that_cannot_be_sliced_is_told(self):
         self.select(self.document.addObject("App::FeaturePython", "Nothing"))
         FreeCADGui.runCommand("Trabecula_AnalyseNow")
