@@ -123,6 +123,7 @@ def take_panels():
     take_site_panel()
     take_rod_dock()
     take_installer()
+    take_recomputing()
 
 
 def take_dialog(name, dialog):
@@ -191,6 +192,21 @@ def take_rod_dock():
     view().fitAll()
     shoot("rod")
     FreeCADGui.runCommand("Trabecula_RodInfo")
+
+
+def take_recomputing():
+    """Picture a property that was changed, its result on the way in another process."""
+    from freecad_trabecula.gui.recomputing import of_window
+    from freecad_trabecula.gui.view_providers import wireframe_of
+
+    wireframe = wireframe_of(FreeCAD.ActiveDocument.getObject("Network"))
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, wireframe.Name)
+    wireframe.Seed = 7
+    FreeCAD.ActiveDocument.recompute()
+    wait(lambda: of_window()._bar.bar.value() > 300, 60)
+    shoot("recomputing")
+    of_window().cancel()
 
 
 def take_installer():
