@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of a voxel design: its form, what it will take, and the work in another process."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import FreeCAD
+
+from .. import make
+from ..core.voxels.parameters import VoxelParameters
+from ..errors import ParameterError, TrabeculaError
+from ..features.tasks import write_voxel_task
+from ..features.voxel_design import VoxelDesign, inputs_of
+from .analysis_form import is_sliceable
+from .document_work import Order, write_step
+from .view_providers import type_of
+from .voxel_dock import show_layers
+from .voxel_form import VoxelForm
+from .work_panel import WorkPanel
+
+translate = FreeCAD.Qt.translate
+ANALYSIS = "Trabecula::Analysis"
+
+
+class VoxelWish(NamedTuple):
+    """What is to be designed; names of objects are empty where there is none."""
+
+    document: str
+    parameters: VoxelParameters
+    source: str = ""
+    file: str = ""
+    envelope: str = ""
+    surface: str = "blocks"
+    design: str = ""
+
+    def order(self) -> Order:
+        """Return what is to be done for it.
+
+        Raises
+        ------
+        TrabeculaError
+            If there is no sample.
+        """
+        document = FreeCAD.getDocument(self.document)
+        sample = document.getObject(self.source) if self.source else self.file
+        envelope = document.getObject(self.envelope) if self.envelope else None
+        inputs = inputs_of(sample, self.parameters, envelope, self.surface)
+        return Order(
+            self.document, VoxelDesign.KIND, inputs.key, lambda folder: write_voxel_task(folder, inputs), self.write
+        )
+
+    def write(self) -> Any:
+        """Write the design, which is at hand, into the document in one step; return the object."""
+        envelope = f"document.getObject({self.envelope!r})" if self.envelope else "None"
+        more = f"parameters, envelope={envelope}, surface={self.surface!r}"
+        sample = f"document.getObject({self.source!r})" if self.source else repr(self.file)
+        if self.design:
+            lines = [f"make.change_voxel_design(document.getObject({self.design!r}), {more})"]
+        else:
+            lines = [f"make.make_voxel_design(document, {sample}, {more})"]
+        if self.source and not self.design:  # both fill the same place
+            lines.append(f"{sample}.Visibility = False")
+        return write_step(self.document, "Design voxels", self.parameters, lines, VoxelDesign.Type, self.design)
+
+
+class VoxelPanel(WorkPanel):
+    """A task panel on one document.
+
+    Parameters
+    ----------
+    document : App.Document
+    obj : document object or None
+        The design that is to be changed; None means a new one.
+    source : document object or None
+        The sample of a new one at first.
+    """
+
+    def __init__(self, document: Any, obj: Any = None, source: Any = None) -> None:
+        words = translate("Trabecula", "Voxel design"), translate("Trabecula", "Build"), "Trabecula_voxels"
+        super().__init__(document, obj, source, VoxelForm(self._changed), words, lambda one: show_layers(one))
+
+    def fill(self, source: Any) -> None:
+        """Show the values of the design, or those that a new one of a source has by default."""
+        obj, samples = self.obj, samples_of(self.document)
+        bodies = [one for one in samples if type_of(one) != ANALYSIS]
+        if obj is not None:
+            self.fields.offer(samples, bodies, obj.Source, obj.Envelope)
+            self.fields.set_value(obj.Proxy.parameters(obj), obj.Surface)
+            if obj.Source is None:
+                self.fields.source.set_file(obj.File)
+            self.lock_source(True)
+        else:
+            source = source if source is not None else (samples[-1] if samples else None)
+            self.fields.offer(samples, bodies, source, None)
+            self.fields.set_value(first_parameters(source))
+        self._changed()
+
+    def lock_source(self, locked: bool) -> None:
+        """Forbid to choose another sample while there is a design."""
+        self.fields.source.setEnabled(not locked)
+
+    def _changed(self) -> None:
+        """Say what the design will take, or what is wrong."""
+        try:
+            self.message.setText(self._estimate())
+            self.build_bar.build_button.setEnabled(True)
+        except TrabeculaError as error:
+            self.refuse(error)
+            self.build_bar.build_button.setEnabled(False)
+
+    def _sample(self) -> Any:
+        name = self.fields.source.object_name()
+        sample = self.document.getObject(name) if name else self.fields.source.file()
+        if not sample:
+            raise ParameterError("a voxel design needs a sample, got none: choose an object or a file")
+        return sample
+
+    def _estimate(self) -> str:
+        parameters = self.fields.value()
+        return make.estimate_voxel_design(self._sample(), parameters).words
+
+    def order(self) -> Order:
+        """Return what is to be designed.
+
+        Raises
+        ------
+        TrabeculaError
+            If there is no sample, a rule is broken, or the design would be too large.
+        """
+        self._estimate()
+        return VoxelWish(
+            self.document.Name, self.fields.value(), self.fields.source.object_name(), self.fields.source.file(),
+            self.fields.envelope_name(), self.fields.surface.value(), self.obj.Name if self.obj else "",
+        ).order()  # fmt: skip
+
+
+def samples_of(document: Any) -> list:
+    """Return the objects of a document of which voxels can be designed: bodies, and analyses of layers."""
+    return [obj for obj in document.Objects if is_sample(obj)]
+
+
+def is_sample(obj: Any) -> bool:
+    """Return whether voxels can be designed of an object."""
+    return type_of(obj) == ANALYSIS or (is_sliceable(obj) and type_of(obj) != "Trabecula::Wireframe")
+
+
+def first_parameters(sample: Any) -> VoxelParameters:
+    """Return what a new design of a sample begins with: voxels as thick as the layers of an analysis."""
+    if sample is not None and type_of(sample) == ANALYSIS:
+        return VoxelParameters(size=(float(sample.SliceThickness.Value),) * 3)
+    return VoxelParameters()
