@@ -22,14 +22,14 @@ from ..core.voxels.envelope_sources import targets_of_envelope
 from ..core.voxels.image_stacks import write_stack
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.plots import design_figures
-from ..core.voxels.report import design_record, record_json
+from ..core.voxels.report import KIND, design_record, record_json
 from ..core.voxels.report_text import report_markdown, report_summary
 from ..core.voxels.sources import layers_of_source, read_mask, read_targets, read_triangles, targets_record
 from ..core.voxels.table_files import targets_of_tables, write_table_csv, write_tables_xlsx
 from ..core.voxels.table_pairs import pair_rates
 from ..core.voxels.targets import Targets
 from ..core.voxels.volume_files import write_npy
-from .analyse import plots_kind, progress_of, versions, warn_of_old_files
+from .analyse import plots_kind, progress_of, require_own_folder, versions, warn_of_old_files
 from .folder import ResultFolder
 from .voxel_options import FIELDS
 
@@ -69,6 +69,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
         return 0
     if options["xlsx"]:
         require_openpyxl()
+    require_own_folder(options["out"], KIND)
     kind = plots_kind(options["plots"], report)
     progress = progress_of(report)
     with ResultFolder(options["out"]) as folder:

@@ -184,3 +184,11 @@ def test_a_run_that_is_stopped_leaves_nothing(bone, tmp_path):
         process.stderr.read()
         assert process.wait(60) == 130
     assert os.listdir(tmp_path) == []
+
+
+def test_the_folder_of_something_else_is_refused_and_left_as_it_was(bone, tmp_path):
+    (tmp_path / "report.json").write_text('{"kind": "slice analysis"}')
+    done = voxels(bone, "--size", 0.1, "--strategy", "minimum-zeros", "--out", tmp_path)
+    assert done.returncode == 2
+    assert "must not be that of something else" in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["report.json"]
