@@ -56,12 +56,14 @@ class Settling:
         self.lowered_nodes: Set[int] = set()
         self._stale: Set[int] = set()
         self._places: List[Tuple[int, np.ndarray]] = []
+        self._is_first = True
         for vertex, distance in list(self._nodes.distances.items()):
             if distance > EXACT:
                 self._lower_node(vertex)
         for number, curve in list(self._curves.items()):
             if curve.error > _LOOSE or np.diff(curve.knots).min() < _TOGETHER:
-                self.lower([number])
+                self._places += curve.worst
+                self.lower({number} - self.lowered)
 
     def lower(self, seams: Iterable[int]) -> bool:
         """Take the triangles' own lines for seams, and their ends if that was done before; return whether it helps."""
@@ -95,19 +97,26 @@ class Settling:
         for step in range(_ROUNDS):
             progress(step, _ROUNDS, "seams of channels")
             lines = self.lines()
-            if not self.lower(self._turned(lines) | self._crossing(lines)):
+            wrong = self._turned(lines) | self._crossing(lines, self._is_first)
+            if self._is_first:  # later ones follow from the triangles' lines, not from the surfaces
+                self._places += self._places_of(self.lowered | wrong, self.lowered_nodes)
+            self._is_first = False
+            if not self.lower(wrong):
                 break
         return self.lines()
 
     def doubtful(self, seams: Iterable[int] = ()) -> List[Tuple[int, np.ndarray]]:
         """Return places, a surface and parameters (2,) on it, at which finer triangles would tell more.
 
-        Where seams and nodes were lowered, and along more ``seams``.
+        Where seams were wrong before any was lowered for others' sake, and along more ``seams``.
         """
-        nodes = self.lowered_nodes | {v for n in seams for v in self.work.seams[n].vertices[[0, -1]].tolist()}
-        places = list(self._places)
-        places += [(surface, self.work.corners[v, surface]) for v in sorted(nodes) for surface in self.work.meeting[v]]
-        for number in sorted(self.lowered | (set(seams) & self._own)):
+        return self._places + self._places_of(set(seams), set())
+
+    def _places_of(self, seams: Set[int], nodes: Set[int]) -> List[Tuple[int, np.ndarray]]:
+        """Where seams are furthest from their surfaces, and at their ends and other nodes."""
+        nodes = nodes | {v for n in seams for v in self.work.seams[n].vertices[[0, -1]].tolist()}
+        places = [(surface, self.work.corners[v, surface]) for v in sorted(nodes) for surface in self.work.meeting[v]]
+        for number in sorted(seams & self._own):
             places += self._curves[number].worst
         return places
 
@@ -134,8 +143,8 @@ class Settling:
                 found.add(number)
         return found
 
-    def _crossing(self, lines: Lines) -> Set[int]:
-        """Seams whose images cross on a patch."""
+    def _crossing(self, lines: Lines, noted: bool) -> Set[int]:
+        """Seams whose images cross on a patch; the places are noted if that is asked for."""
         start, end, seam, patch = [], [], [], []
         images = _Images(self.surfaces, self.work, lines)
         for k, own in enumerate(self.work.patches):
@@ -147,7 +156,8 @@ class Settling:
                 patch.append(np.full(len(line) - 1, k))
         i, j = crossings(*(np.concatenate(a) for a in (start, end, patch)))
         numbers, patches, points = np.concatenate(seam), np.concatenate(patch), np.concatenate(start)
-        self._places += [(self.work.patches[k].surface, uv) for k, uv in zip(patches[i].tolist(), points[i])]
+        if noted:
+            self._places += [(self.work.patches[k].surface, uv) for k, uv in zip(patches[i].tolist(), points[i])]
         return set(numbers[i].tolist()) | set(numbers[j].tolist())
 
 

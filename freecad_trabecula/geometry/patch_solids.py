@@ -254,6 +254,7 @@ def patch_solids(strips: Strips, envelope: Mesh, all_pieces: bool = False, progr
         work = patchwork(mesh)
         own(0.55, 1.0, "seams of channels")
         settling = Settling(surfaces, mesh, work)
+        settling.settle(part(own, 0.7, 0.8))
         made, bad = _NONE
         if attempt or not settling.lowered:
             made, bad = _settled(settling, mesh, all_pieces, part(own, 0.8, 1.0))
