@@ -330,7 +330,7 @@ def voxel_design_of(obj: Any) -> core.VoxelDesign:
     >>> ring.Shape = make.make_box(document, 4, 4, 4).Shape.cut(make.make_box(document, 2, 2, 4).Shape)
     >>> parameters = VoxelParameters(size=(0.5, 0.5, 0.5), strategy="minimum-zeros")
     >>> design = make.make_voxel_design(document, ring, parameters)
-    >>> make.voxel_design_of(design).voxels.sum()
+    >>> int(make.voxel_design_of(design).voxels.sum())
     384
     """
     if not obj.ResultKey:
