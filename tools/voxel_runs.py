@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Trabecular designs of real bone, seed after seed: exact, parts, cavities, contacts, trabeculae, CPU seconds.
+
+    python3 tools/voxel_runs.py seeds [--seeds 20] [--contacts edge] [--trabeculae off] [--pictures DIR]
+    python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled
+    python3 tools/voxel_runs.py growth --edges 50 100 200
+
+Samples are the shrew cube and the human bone at 0.1 mm. Times are CPU seconds of one thread; the texture is fitted once
+for a sample, and its time is told apart. Pictures: layers of the bone above those of designs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import resource
+import sys
+import time
+from pathlib import Path
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+import numpy as np  # noqa: E402
+
+from freecad_trabecula.core.stl import read_triangles  # noqa: E402
+from freecad_trabecula.core.voxels.connectivity import (  # noqa: E402
+    closed_cavities,
+    corner_contacts,
+    edge_contacts,
+    parts,
+)  # fmt: skip
+from freecad_trabecula.core.voxels.masks import main_part, targets_within  # noqa: E402
+from freecad_trabecula.core.voxels.parameters import VoxelParameters  # noqa: E402
+from freecad_trabecula.core.voxels.sources import mask_of_triangles, read_targets  # noqa: E402
+from freecad_trabecula.core.voxels.strategies import trabecular  # noqa: E402
+from freecad_trabecula.core.voxels.targets import Targets  # noqa: E402
+from freecad_trabecula.core.voxels.trabeculae import mean_deviation, trabecula_counts  # noqa: E402
+from freecad_trabecula.core.voxels.variants import chance_overlap, overlaps  # noqa: E402
+from freecad_trabecula.core.voxels.verification import layer_errors  # noqa: E402
+
+DATA = Path(os.environ.get("TRABECULA_DATA") or ROOT.parent / "shared" / "data")
+SAMPLES = {"shrew": "shrew_cube_10mm.stl", "human": "trab_ior_10mm_13MB.stl"}
+
+
+def made(targets, parameters, mask=None):
+    """Return a design and its CPU seconds."""
+    start = time.process_time()
+    voxels = trabecular.design(targets, parameters, mask)
+    return voxels, time.process_time() - start
+
+
+def line(name, voxels, targets, seconds, mask=None):
+    """Print what was found of one design; returns whether it is exact, one part, without cavities."""
+    wrong = len(layer_errors(voxels, targets))
+    count, cavities = len(parts(voxels)[1]) - 1, len(closed_cavities(voxels, mask)[1]) - 1
+    outside = "" if mask is None else f", outside the mask {np.count_nonzero(voxels & ~mask)}"
+    contacts = f"contacts by an edge {edge_contacts(voxels)}, by a corner {corner_contacts(voxels)}{outside}"
+    print(f"{name}: {voxels.sum()} voxels, layers off {wrong}, parts {count}, closed cavities {cavities}, {contacts}, "
+          f"{seconds:.2f} s", flush=True)  # fmt: skip
+    return wrong == 0 and count == 1 and cavities == 0
+
+
+def seeds(options):
+    """Design both samples with every seed."""
+    trabecular.design(Targets([4] * 4, [4] * 4, [4] * 4), VoxelParameters())  # tables are made once
+    for name, file in SAMPLES.items():
+        chosen = {"contacts": options.contacts, "trabeculae": options.trabeculae}
+        targets = read_targets(options.data / file, VoxelParameters(**chosen))
+        start = time.process_time()
+        texture = trabecular.chosen_texture(targets, VoxelParameters())
+        waves = ", ".join(f"{w:.1f}" for w in texture.wavelengths)
+        print(f"{name}: {targets.layers} layers, {targets.total} voxels; waves {waves} voxels, mix {texture.mix:.2f}, "
+              f"fitted in {time.process_time() - start:.2f} s")  # fmt: skip
+        designs, times, good, deviations = [], [], 0, []
+        for seed in range(1, options.seeds + 1):
+            voxels, seconds = made(targets, VoxelParameters(seed=seed, **chosen))
+            good += line(f"{name} seed {seed}", voxels, targets, seconds)
+            pairs = zip(trabecula_counts(voxels), trabecula_counts(targets.sample))
+            deviations.append([100 * mean_deviation(count, goal) for count, goal in pairs])
+            designs.append(voxels)
+            times.append(seconds)
+        shared = overlaps(designs)[~np.eye(len(designs), dtype=bool)]
+        x, y, z = np.mean(deviations, 0)
+        print(f"{name}: {good} of {len(designs)} exact in one part without cavities; median {np.median(times):.2f} s, "
+              f"longest {max(times):.2f} s; trabeculae per layer off by {x:.1f} / {y:.1f} / {z:.1f} % along X / Y / Z, "
+              f"{np.mean(deviations):.1f} % together")  # fmt: skip
+        if len(designs) > 1:
+            print(f"{name}: variants overlap by {shared.mean():.3f} ({shared.min():.3f} to {shared.max():.3f}); "
+                  f"chance {chance_overlap(designs[0]):.3f}")  # fmt: skip
+        if options.pictures:
+            picture(options.pictures / f"{name}-{options.trabeculae}.png", [targets.sample, *designs[:2]])
+
+
+def picture(path, solids):
+    """Write layers of solids, one row each: two along z, y and x."""
+    from PIL import Image
+
+    rows = []
+    side = max(max(solid.shape) for solid in solids) + 6
+    for solid in solids:
+        tiles = []
+        for axis in range(3):
+            for share in (0.3, 0.6):
+                layer = np.take(solid, int(share * solid.shape[axis]), axis)
+                tile = np.full((side, side), 128, np.uint8)
+                tile[: layer.shape[0], : layer.shape[1]] = np.where(layer, 0, 255)
+                tiles.append(tile)
+        rows.append(np.concatenate(tiles, 1))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    image = np.kron(np.concatenate(rows), np.ones((2, 2), np.uint8))
+    Image.fromarray(image).save(path)
+    print(f"{path}: the bone's layers above, designs below")
+
+
+def masks(options):
+    """Fill a sphere, and the femur's upper end, with 30 % of bone."""
+    z, y, x = np.ogrid[:100, :100, :100]
+    ball = (z - 49.5) ** 2 + (y - 49.5) ** 2 + (x - 49.5) ** 2 <= 2500
+    parameters = VoxelParameters(wavelength=1.4)
+    for density in (0.1, 0.3, 0.6):
+        targets = targets_within(ball, (density,) * 3)
+        line(f"sphere at {density:g}", *_filled(targets, parameters, ball))
+    femur = 1000.0 * read_triangles(options.data / "anatomy" / "FemurR.stl").astype(float)  # the file is in metres
+    corners = femur.reshape(-1, 3)
+    long = int(np.argmax(np.ptp(corners, 0)))
+    top = corners[corners[:, long] > corners[:, long].max() - 60.0]
+    low, size = top.min(0), 0.8  # mm
+    layers = np.ceil(np.ptp(top, 0) / size).astype(int)
+    # any targets of that shape say where the cells are
+    box = Targets(*(np.zeros(n, int) for n in layers), (size,) * 3, tuple(low.tolist()))
+    mask = main_part(mask_of_triangles(femur, box, "half"))
+    targets = targets_within(mask, (0.3,) * 3, (size,) * 3, box.origin)
+    parameters = VoxelParameters(size=size, wavelength=8 * size)
+    line(f"femur, upper 60 mm, {mask.sum()} cells of {size} mm", *_filled(targets, parameters, mask))
+
+
+def _filled(targets, parameters, mask):
+    voxels, seconds = made(targets, parameters, mask)
+    return voxels, targets, seconds, mask
+
+
+def growth(options):
+    """Design boxes of the human bone's profiles at growing resolution, its waves growing with it."""
+    targets = read_targets(options.data / SAMPLES["human"], VoxelParameters())
+    share = [counts / size for counts, size in zip(targets.counts, targets.layer_sizes)]
+    for edge in options.edges:
+        at = [np.interp((np.arange(edge) + 0.5) / edge * len(s), np.arange(len(s)) + 0.5, s) for s in share]
+        finer = targets_within(np.ones((edge,) * 3, bool), at)
+        wave = 14.0 * edge / 100 * 0.1
+        voxels, seconds = made(finer, VoxelParameters(wavelength=wave, rods=0.3, contacts=options.contacts))
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+        print(
+            f"{edge}^3: layers off {len(layer_errors(voxels, finer))}, {seconds:.1f} s, peak {peak:.2f} GB", flush=True
+        )
+
+
+def main():
+    """Read the command line and run one check."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("check", choices=("seeds", "masks", "growth"))
+    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--contacts", default="edge", choices=("any", "edge", "corner"))
+    parser.add_argument("--trabeculae", default="off")
+    parser.add_argument("--edges", type=int, nargs="+", default=[50, 100, 200])
+    parser.add_argument("--pictures", type=Path)
+    parser.add_argument("--data", type=Path, default=DATA)
+    options = parser.parse_args()
+    {"seeds": seeds, "masks": masks, "growth": growth}[options.check](options)
+
+
+if __name__ == "__main__":
+    main()
