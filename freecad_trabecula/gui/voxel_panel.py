@@ -10,6 +10,7 @@ import FreeCAD
 from .. import make
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError, TrabeculaError
+from ..features.base import read_parameters
 from ..features.tasks import write_voxel_task
 from ..features.voxel_design import VoxelDesign, inputs_of
 from .analysis_form import is_sliceable
@@ -86,7 +87,7 @@ class VoxelPanel(WorkPanel):
         bodies = [one for one in samples if type_of(one) != ANALYSIS]
         if obj is not None:
             self.fields.offer(samples, bodies, obj.Source, obj.Envelope)
-            self.fields.set_value(obj.Proxy.parameters(obj), obj.Surface)
+            self.fields.set_value(read_parameters(obj, VoxelParameters), obj.Surface)
             if obj.Source is None:
                 self.fields.source.set_file(obj.File)
             self.lock_source(True)

@@ -1,0 +1,326 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Voxel designs in the window: panel, work elsewhere, layers side by side, shapes of layers, files."""
+
+import os
+import tempfile
+import time
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtGui
+from window import Heartbeat, WindowTest, settle, wait
+
+from freecad_trabecula import make
+from freecad_trabecula.core.analysis.parameters import SliceParameters
+from freecad_trabecula.core.stl import read_stl
+from freecad_trabecula.core.streams import Stream
+from freecad_trabecula.core.voxels.parameters import VoxelParameters
+from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names
+from freecad_trabecula.errors import ExportError, ParameterError
+from freecad_trabecula.features import results
+from freecad_trabecula.gui import panels
+from freecad_trabecula.gui.document_work import is_busy
+from freecad_trabecula.gui.layer_dialog import LayerDialog, make_shapes
+from freecad_trabecula.gui.view_providers import type_of
+from freecad_trabecula.gui.voxel_dock import KIND, show_layers, voxel_dock
+from freecad_trabecula.gui.voxel_export import VoxelExportDialog, write_images, write_voxels
+from freecad_trabecula.gui.voxel_layers import DESIGN, KINDS
+
+HALF = VoxelParameters(size=(0.5, 0.5, 0.5))
+
+
+class VoxelCase(WindowTest):
+    def setUp(self):
+        super().setUp()
+        results.clear()
+
+    def tearDown(self):
+        voxel_dock().hide()
+        super().tearDown()
+
+    def bracket(self):
+        """A box of 4 mm less one of 2 x 2 x 4 mm: 48 mm3, layers along Z of 12 mm2."""
+        bracket = self.document.addObject("Part::Feature", "Bracket")
+        whole, less = make.make_box(self.document, 4, 4, 4), make.make_box(self.document, 2, 2, 4)
+        bracket.Shape = whole.Shape.cut(less.Shape)
+        return bracket
+
+    def designs(self):
+        return [obj for obj in self.document.Objects if type_of(obj) == KIND]
+
+    def open_panel(self, obj=None):
+        FreeCADGui.Selection.clearSelection()
+        if obj is not None:
+            FreeCADGui.Selection.addSelection(self.document.Name, obj.Name)
+        FreeCADGui.runCommand("Trabecula_Voxels")
+        panel = panels.current()
+        panel.fields.edges[0].set_value(0.5)
+        return panel
+
+    def work(self, panel):
+        panel.work()
+        self.assertTrue(wait(lambda: panel._work is None, 180), self.dialogs)
+        settle(0.3)
+
+
+class PanelTest(VoxelCase):
+    def test_voxels_are_designed_in_one_step_and_their_layers_open(self):
+        bracket = self.bracket()
+        panel = self.open_panel(bracket)
+        self.assertIn("8 x 8 x 8 layers, 512 cells", panel.message.text())
+        with Heartbeat() as beat:
+            self.work(panel)
+        self.assertLess(beat.busiest, 0.5)
+        (obj,) = self.designs()
+        self.assertTrue(obj.Exact and obj.Watertight)
+        self.assertEqual((obj.Voxels, obj.Components), (384, 1))
+        self.assertEqual((bracket.Visibility, obj.ViewObject.isVisible()), (False, True))
+        self.assertEqual(self.document.UndoNames[0], "Design voxels")
+        self.assertTrue(voxel_dock().isVisible())
+        panel.reject()
+        self.document.undo()
+        self.assertEqual((self.designs(), bracket.Visibility), ([], True))
+
+    def test_the_same_panel_changes_the_design_that_it_made(self):
+        panel = self.open_panel(self.bracket())
+        self.work(panel)
+        self.assertFalse(panel.fields.source.isEnabled())
+        panel.fields.edges[0].set_value(1.0)
+        panel.fields.strategy.setCurrentText("minimum-zeros")
+        self.work(panel)
+        (obj,) = self.designs()
+        self.assertEqual((obj.Voxels, make.voxel_design_of(obj).parameters.strategy), (48, "minimum-zeros"))
+
+    def test_a_double_click_opens_the_panel_with_the_values(self):
+        chosen = VoxelParameters(size=(0.5, 0.5, 1.0), strategy="sequential", seed=7, cap_alpha=8, direction="rows")
+        obj = make.make_voxel_design(self.document, self.bracket(), chosen, surface="smooth")
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        self.assertTrue(wait(FreeCADGui.Control.activeDialog, 10))
+        fields = panels.current().fields
+        self.assertEqual((fields.value(), fields.surface.value()), (chosen, "smooth"))
+        self.assertFalse(fields.is_cube.isChecked())
+
+    def test_cancel_answers_at_once_and_changes_nothing(self):
+        panel = self.open_panel(self.bracket())
+        panel.fields.edges[0].set_value(0.025)
+        panel.work()
+        settle(2.0)
+        started = time.monotonic()
+        panel.cancel()
+        self.assertLess(time.monotonic() - started, 1.0)
+        settle(2.0)
+        self.assertEqual((self.designs(), self.document.UndoNames[:1], self.dialogs), ([], [], []))
+
+    def test_what_is_too_large_or_too_coarse_is_refused_at_once(self):
+        panel = self.open_panel(self.bracket())
+        for edge, words in (
+            (0.001, "would take about"),
+            (5.0, "must not be larger than the sample"),
+            (0.0, "at least"),
+        ):
+            panel.fields.edges[0].set_value(edge)
+            self.assertIn(words, panel.message.text())
+            self.assertFalse(panel.build_bar.build_button.isEnabled())
+        panel.accept()
+        self.assertEqual((len(self.dialogs), self.designs()), (1, []))
+        panel.fields.edges[0].set_value(0.5)
+        self.assertTrue(panel.build_bar.build_button.isEnabled())
+
+    def test_a_sample_of_which_there_is_no_design_is_told_and_nothing_is_made(self):
+        panel = self.open_panel(make.make_box(self.document, 4, 4, 4))
+        self.work(panel)
+        self.assertEqual((len(self.dialogs), self.designs()), (1, []))
+        self.assertIn("must have voids", self.dialogs[0])
+
+    def test_without_a_sample_the_panel_asks_for_one(self):
+        panel = self.open_panel()
+        self.assertIn("choose an object or a file", panel.message.text())
+        panel.accept()
+        self.assertEqual(len(self.dialogs), 1)
+
+    def test_every_strategy_shows_its_own_choices_and_what_it_does(self):
+        fields = self.open_panel(self.bracket()).fields
+        for number, name in enumerate(strategy_names()):
+            fields.strategy.setCurrentIndex(number)
+            module = find_strategy(name)
+            self.assertEqual(fields.strategy.toolTip(), module.SUMMARY)
+            shown = {one for one, field in fields.options.fields.items() if not field.widget.isHidden()}
+            self.assertEqual(shown, set(module.OPTIONS) - {"boundary"})
+            self.assertEqual(fields.envelope.isEnabled(), "boundary" in module.OPTIONS)
+
+    def test_an_analysis_gives_its_own_voxel_size(self):
+        analysis = make.make_analysis(self.document, self.bracket(), SliceParameters(thickness=0.4))
+        FreeCADGui.Selection.addSelection(self.document.Name, analysis.Name)
+        FreeCADGui.runCommand("Trabecula_Voxels")
+        panel = panels.current()
+        self.assertEqual(panel.fields.value().size, (0.4, 0.4, 0.4))
+        self.assertIn("10 x 10 x 10", panel.message.text())
+        panel.fields.edges[0].set_value(0.5)
+        self.assertIn("slice it again", panel.message.text())
+
+    def test_a_file_is_a_sample_and_what_the_panel_does_can_be_run_as_a_macro(self):
+        from freecad_trabecula.gui import document_work
+
+        lines, record = [], document_work.record
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "sample.npy")
+            array = np.zeros((4, 4, 4), bool)
+            array[:, :, 1:3] = True
+            np.save(path, array)
+            document_work.record = lambda text: (lines.append(text), record(text))
+            try:
+                panel = self.open_panel()
+                panel.fields.source.set_file(path)
+                self.work(panel)
+            finally:
+                document_work.record = record
+            exec("\n".join(lines), {})  # noqa: S102
+        first, second = self.designs()
+        self.assertEqual((first.Voxels, first.ResultKey), (32, second.ResultKey))
+
+
+class DockTest(VoxelCase):
+    def setUp(self):
+        super().setUp()
+        self.obj = make.make_voxel_design(self.document, self.bracket(), HALF)
+        self.dock = show_layers(self.obj)
+        settle(0.4)
+
+    def test_layers_of_both_stand_side_by_side_with_their_counts(self):
+        design = make.voxel_design_of(self.obj)
+        for axis, shape in enumerate(((8, 8), (8, 8), (8, 8))):
+            self.dock.take_axis(axis)
+            self.dock.slider.setValue(1)
+            image = self.dock.design.image
+            self.assertEqual((image.height(), image.width()), shape)
+            asked = (32, 32, 48)[axis]  # by hand: 8 or 12 mm2 of 0.25 mm2
+            self.assertIn(f"{asked} made, {asked} asked for", self.dock.design.words)
+            self.assertIn(f"{asked} asked for", self.dock.sample.words)
+            solid = QtGui.QColor(DESIGN).rgb()
+            seen = [[image.pixel(x, 7 - y) == solid for x in range(8)] for y in range(8)]
+            self.assertTrue((np.array(seen) == np.take(design.voxels, 1, 2 - axis)).all())
+
+    def test_diagrams_show_target_and_design_and_move_the_layer(self):
+        for number, (kind, _) in enumerate(KINDS):
+            self.dock.tabs.setCurrentIndex(number)
+            curves = self.dock.charts[kind].diagram.curves
+            self.assertEqual(len(curves), 2, kind)
+            self.assertTrue(np.allclose(curves[0].y, curves[1].y), kind)  # exact; a bracket has one design only
+        self.dock.charts["voxels"].pointed.emit(3.6)
+        self.assertEqual((self.dock.layer, self.dock.slider.value(), self.dock.number.value()), (7, 7, 7))
+        node = self.dock._plane._corners.point
+        self.assertAlmostEqual(node[0].getValue()[2], 3.75, 5)
+
+    def test_the_sample_of_an_opened_file_is_worked_out_elsewhere(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            results.clear()
+            self.document = FreeCAD.openDocument(path)
+            settle(0.5)
+            self.dock.show_objects()
+            self.assertIsNotNone(self.dock.design.image)
+            self.assertIn("being worked out", self.dock.sample.words)
+            self.assertTrue(wait(lambda: self.dock.sample.image is not None, 120))
+
+    def test_a_million_voxels_are_turned_over_without_waiting(self):
+        noise = Stream(1, "sample").uniform(100**3).reshape(100, 100, 100)
+        blurred = sum(np.roll(noise, (i, j, k), (0, 1, 2)) for i in range(4) for j in range(4) for k in range(4))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "sample.npy")
+            np.save(path, blurred > np.quantile(blurred, 0.7))
+            parameters = VoxelParameters(size=(0.1, 0.1, 0.1), strategy="minimum-zeros")
+            obj = make.make_voxel_design(self.document, path, parameters)
+        self.dock.show_objects(obj)
+        obj.ViewObject.Visibility = False  # what the 3D view takes without a graphics card is not measured
+        settle(0.5)
+        with Heartbeat() as beat:
+            for axis in range(3):
+                self.dock.take_axis(axis)
+                for layer in range(0, 100, 9):
+                    self.dock.slider.setValue(layer)
+                    settle(0.02)
+        self.assertLess(beat.busiest, 0.1)
+
+    def test_undo_and_closing_empty_it(self):
+        self.document.removeObject(self.obj.Name)
+        settle(0.4)
+        self.assertIsNone(self.dock.layers)
+        self.assertIn("Design voxels", self.dock.design.words)
+        FreeCAD.closeDocument(self.document.Name)
+        settle(0.4)
+        self.assertIsNone(self.dock._plane)
+        self.document = FreeCAD.newDocument("Next")
+
+    def test_one_click_slices_the_design_layer_by_layer(self):
+        FreeCADGui.Selection.addSelection(self.document.Name, self.obj.Name)
+        FreeCADGui.runCommand("Trabecula_AnalyseNow")
+        self.assertTrue(wait(lambda: not is_busy(), 180), self.dialogs)
+        settle(0.3)
+        from freecad_trabecula.gui.analysis_dock import dock_of_window
+
+        dock_of_window().hide()
+        (analysis,) = (obj for obj in self.document.Objects if type_of(obj) == "Trabecula::Analysis")
+        targets, profiles = make.voxel_design_of(self.obj).targets, make.analysis_of(analysis).profiles
+        for axis, counts in zip("xyz", targets.counts):
+            self.assertTrue(np.allclose(profiles[axis].sliced_area, 0.25 * counts, atol=1e-5))
+
+
+class ShapesTest(VoxelCase):
+    def setUp(self):
+        super().setUp()
+        self.obj = make.make_voxel_design(self.document, self.bracket(), HALF)
+
+    def test_the_estimate_stands_there_before_and_the_shape_is_one_step(self):
+        dialog = LayerDialog(FreeCADGui.getMainWindow(), self.obj)
+        dialog.first.setValue(0)
+        dialog.last.setValue(7)
+        self.assertIn("48 corners", dialog.estimate.text())  # an L has six corners
+        dialog.kind.setCurrentIndex(1)
+        found = make_shapes(self.obj, *dialog.chosen())
+        self.assertAlmostEqual(found.Shape.Volume, 48, 6)
+        self.assertEqual(self.document.UndoNames[0], "Layer shapes")
+
+    def test_a_last_layer_below_the_first_is_refused(self):
+        dialog = LayerDialog(FreeCADGui.getMainWindow(), self.obj)
+        dialog.first.setValue(5)
+        dialog.last.setValue(4)
+        self.assertIn("must not lie below the first", dialog.estimate.text())
+        with self.assertRaises(ParameterError):
+            dialog.work()
+
+
+class ExportTest(VoxelCase):
+    def setUp(self):
+        super().setUp()
+        self.obj = make.make_voxel_design(self.document, self.bracket(), HALF)
+
+    def test_every_format_has_a_size_and_files_hold_the_voxels(self):
+        dialog = VoxelExportDialog(FreeCADGui.getMainWindow(), [self.obj])
+        voxels = make.voxel_design_of(self.obj).voxels
+        self.assertEqual(dialog.format.count(), 10)
+        with tempfile.TemporaryDirectory() as folder:
+            for kind in ("stl", "3mf", "obj", "npy", "nrrd", "vti"):
+                path = os.path.join(folder, f"design.{kind}")
+                write_voxels(self.obj, path)
+                size = dialog.size_of(self.obj, kind)
+                self.assertLess(abs(size - os.path.getsize(path)), max(0.25 * size, 400), kind)
+            self.assertTrue((np.load(os.path.join(folder, "design.npy")) == voxels).all())
+            corners = read_stl(os.path.join(folder, "design.stl")).vertices
+            self.assertTrue(np.allclose(np.ptp(corners, axis=0), 4, atol=1e-4))
+
+    def test_images_go_into_a_new_folder_or_nowhere(self):
+        with tempfile.TemporaryDirectory() as folder:
+            images = sorted(Path(write_images(self.obj, "png", folder)).iterdir())
+            self.assertEqual(len(images), 8)
+            image = QtGui.QImage(str(images[0]))
+            white = sum(QtGui.QColor(image.pixel(x, y)).lightness() > 200 for x in range(8) for y in range(8))
+            self.assertEqual(white, 48)
+            with self.assertRaisesRegex(ExportError, "need a new folder"):
+                write_images(self.obj, "png", folder)
+            with self.assertRaisesRegex(ExportError, "could not be written"):
+                write_images(self.obj, "png", os.path.join(folder, "nowhere"))
+            self.assertEqual(len(os.listdir(folder)), 1)
