@@ -259,6 +259,47 @@ def take_analysis():
         shoot("analysis-" + name)
 
 
+def take_voxels():
+    """Picture a voxel design: of bone, if there is some, else of a scaffold; panel, work, layers, diagrams, dialogs."""
+    from freecad_trabecula.gui import panels
+    from freecad_trabecula.gui.layer_dialog import LayerDialog
+    from freecad_trabecula.gui.voxel_dock import KIND, voxel_dock
+    from freecad_trabecula.gui.voxel_export import VoxelExportDialog
+
+    bone = Path(os.environ.get("TRABECULA_DATA", "")) / "trab_ior_10mm_13MB.stl"
+    if bone.is_file():
+        FreeCAD.newDocument("Bone")
+    else:
+        build(open_preset("case6"), "scaffold").reject()
+    FreeCADGui.runCommand("Trabecula_Voxels")
+    panel = panels.current()
+    if bone.is_file():
+        panel.fields.source.set_file(str(bone))
+    panel.work()
+    wait(lambda: panel.build_bar.bar.value() > 300 or panel._work is None, 120)
+    shoot("voxels-working")
+    wait(lambda: panel._work is None, 600)
+    voxel_dock().hide()
+    view().viewIsometric()
+    view().fitAll()
+    shoot("voxels-panel")
+    panel.fields.strategy.setCurrentText("minimum-zeros")
+    shoot("voxels-tables")
+    panel.fields.edges[0].set_value(0.001)
+    shoot("voxels-refused")
+    panel.reject()
+    FreeCADGui.runCommand("Trabecula_VoxelLayers")
+    dock = voxel_dock()
+    for number, name in enumerate(("layers", "areas", "trabeculae")):
+        dock.take_axis(2 - number)
+        dock.tabs.setCurrentIndex(number)
+        dock.slider.setValue(40 + 10 * number)
+        shoot("voxels-" + name)
+    obj = next(one for one in FreeCAD.ActiveDocument.Objects if getattr(one.Proxy, "Type", "") == KIND)
+    take_dialog("voxels-shapes", LayerDialog(FreeCADGui.getMainWindow(), obj))
+    take_dialog("voxels-export", VoxelExportDialog(FreeCADGui.getMainWindow(), [obj]))
+
+
 def take_dark():
     """Picture some panels with a dark theme of FreeCAD's own."""
     from freecad_trabecula import make
@@ -298,7 +339,8 @@ def main():
     try:
         if CHOICE["part"] != "theme":
             arrange()
-        others = {"panels": take_panels, "analysis": take_analysis, "dark": take_dark, "theme": choose_dark_theme}
+        others = {"panels": take_panels, "analysis": take_analysis, "voxels": take_voxels}
+        others.update(dark=take_dark, theme=choose_dark_theme)
         others.get(CHOICE["part"], lambda: take_design(CHOICE["part"]))()
         status = 0
     except SystemExit as stop:
