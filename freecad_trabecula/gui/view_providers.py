@@ -78,6 +78,15 @@ def apply_look(obj: Any) -> None:
             setattr(view, name, value)
 
 
+def _side_light() -> Any:
+    """Return a light beside that of the view, which shines alike on all faces of blocks when they are seen aslant."""
+    from pivy import coin
+
+    light = coin.SoDirectionalLight()
+    light.direction, light.intensity = (-0.25, 0.55, -0.8), 0.55
+    return light
+
+
 class ViewProvider:
     """View provider of all our objects. It keeps nothing: data live in the objects' properties."""
 
@@ -87,6 +96,8 @@ class ViewProvider:
     def attach(self, view: Any) -> None:
         """Remember the object (called by FreeCAD, also after a file was opened)."""
         self.Object = view.Object
+        if type_of(view.Object) == "Trabecula::VoxelDesign":
+            view.RootNode.insertChild(_side_light(), 0)
 
     def isShow(self) -> bool:
         """Return whether the tree shows the object as seen: an analysis has nothing that could be hidden."""

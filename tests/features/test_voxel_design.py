@@ -135,6 +135,21 @@ class VoxelDesigns(DocumentCase):
             design = make.make_voxel_design(self.document, os.path.join(folder, "voxels.npy"), HALF)
             self.assertEqual(self.counts(design)[0], [0, 16, 16, 0])
 
+    def test_the_estimate_knows_the_layers_before_anything_is_made(self):
+        bracket = self.bracket()
+        analysis = make.make_analysis(self.document, bracket, SliceParameters(thickness=0.5))
+        with tempfile.TemporaryDirectory() as folder:
+            mesh, table = os.path.join(folder, "bracket.stl"), os.path.join(folder, "voxels.npy")
+            Mesh.Mesh(bracket.Shape.tessellate(0.1)).write(mesh)
+            np.save(table, np.arange(60).reshape(3, 4, 5) % 2)
+            for sample, layers in ((bracket, (8, 8, 8)), (analysis, (8, 8, 8)), (mesh, (8, 8, 8)), (table, (5, 4, 3))):
+                self.assertEqual(make.estimate_voxel_design(sample, HALF).layers, layers)
+            for sample in (bracket, mesh):
+                with self.assertRaisesRegex(ParameterError, "would take about"):
+                    make.estimate_voxel_design(sample, VoxelParameters(size=(0.002, 0.002, 0.002)))
+            with self.assertRaisesRegex(ParameterError, "slice it again"):
+                make.estimate_voxel_design(analysis, VoxelParameters(size=(0.4, 0.4, 0.4)))
+
     def test_what_cannot_be_is_refused_and_the_document_stays_as_it_was(self):
         box = make.make_box(self.document, 4, 4, 4)
         with self.unchanged():

@@ -181,6 +181,26 @@ class PanelTest(VoxelCase):
         self.assertEqual((first.Voxels, first.ResultKey), (32, second.ResultKey))
 
 
+class LookTest(VoxelCase):
+    def test_the_three_sides_of_blocks_are_told_apart_from_aslant(self):
+        make.make_voxel_design(self.document, self.bracket(), HALF)
+        view = FreeCADGui.activeDocument().activeView()
+        view.viewIsometric()
+        view.fitAll()
+        settle(0.5)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "view.png")
+            view.saveImage(path, 200, 200, "White")
+            image = QtGui.QImage(path)
+        counts = {}
+        for x in range(200):
+            for y in range(200):
+                colour = QtGui.QColor(image.pixel(x, y))
+                if colour.lightness() < 250:
+                    counts[colour.lightness() // 4] = counts.get(colour.lightness() // 4, 0) + 1
+        self.assertGreaterEqual(sum(count > 1000 for count in counts.values()), 3)
+
+
 class DockTest(VoxelCase):
     def setUp(self):
         super().setUp()
