@@ -19,7 +19,7 @@ from .branches import Branches
 from .connectivity import connectivity
 from .thickness import SizeDistribution, local_thickness, size_distribution
 from .triangles import Soup
-from .voxelise import Voxels, default_size, voxelise
+from .voxelise import Voxels, fitting_size, voxelise
 
 _ASBMR = "Dempster et al. 2013, DOI 10.1002/jbmr.1805"
 _SPHERES = "Hildebrand and Ruegsegger 1997, DOI 10.1046/j.1365-2818.1997.1340694.x"
@@ -173,7 +173,7 @@ def measure(soup: Soup, voxel: Optional[float] = None, progress: Progress = sile
     ----------
     soup : Soup
     voxel : float, mm, optional
-        Edge of the voxels; by default 1/200 of the box's longest edge.
+        Edge of the voxels; by default ``voxelise.fitting_size``: 100 to 200 along the box's longest edge.
     progress : callable
 
     Raises
@@ -187,9 +187,8 @@ def measure(soup: Soup, voxel: Optional[float] = None, progress: Progress = sile
     -----
     A mesh that is not closed has no inside: then there are no measures, and a note that says so.
     """
-    low, high = soup.box
-    voxel = default_size(low, high) if voxel is None else voxel
     triangles = np.asarray(soup.triangles, np.float64)
+    voxel = fitting_size(triangles, soup.box) if voxel is None else voxel
     try:
         voxels = voxelise(triangles, voxel, soup.box, part(progress, 0.0, 0.05))
     except MeshError as error:

@@ -95,6 +95,16 @@ def test_two_hundred_voxels_lie_along_the_longest_edge_by_default():
     assert v.default_size([0, 0, -1], [10, 8, 3]) == pytest.approx(0.05)
 
 
+@pytest.mark.parametrize(("thickness", "size"), [(4.0, 0.1), (0.56, 0.07), (0.1, 0.05)])
+def test_a_plate_gets_eight_voxels_across_but_100_to_200_along_the_longest_edge(thickness, size):
+    # a plate of 10 x 10 x t has 2 V / S = 10 t / (10 + 2 t)
+    low = 10 * thickness / (10 + 2 * thickness) / 8
+    assert v.fitting_size(box([0, 0, 0], [10, 10, thickness]), ([0, 0, 0], [10, 10, thickness])) == pytest.approx(
+        min(max(low, 0.05), 0.1)
+    )
+    assert min(max(low, 0.05), 0.1) == pytest.approx(size, rel=0.12)
+
+
 @pytest.mark.parametrize("size", [0.0, -0.1, math.nan, math.inf])
 def test_a_size_that_is_none_is_refused(size):
     with pytest.raises(ParameterError, match="size of voxels must be > 0"):
