@@ -10,7 +10,6 @@ single rods; a rod that cannot be cut in any way ends the work, and what was rea
 
 from __future__ import annotations
 
-import resource
 import sys
 import time
 from typing import List, NamedTuple, Optional
@@ -144,7 +143,8 @@ class _Work:
         try:
             made = patch_solids(strips, self._envelope.mesh, self._limits.keep_loose, self._within_budget)
         except (KernelError, MeshError) as error:
-            self._before = f"no solid of patches: {error}; then "
+            if not self._over_budget():  # else that is said, and once is enough
+                self._before = f"no solid of patches: {error}; then "
             return None
         if not made.solids or abs(made.volume / mesh_volume - 1) > VOLUME_TOLERANCE:
             self._before = f"no solid of patches: {made.volume:g} mm3 against {mesh_volume:g} of the mesh; then "
@@ -203,8 +203,7 @@ class _Work:
         seconds = time.perf_counter() - self._start
         if seconds > self._limits.seconds:
             return f"the time budget of {self._limits.seconds:g} s is used up"
-        # kilobytes on Linux, bytes on macOS
-        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024) / 1e9
+        peak = _peak_memory()
         if peak > self._limits.memory_gb:
             return f"the memory budget of {self._limits.memory_gb:g} GB is used up ({peak:.1f} GB)"
         return ""
@@ -225,3 +224,13 @@ class _Work:
         seconds = time.perf_counter() - self._start
         reason = self._before + self._reason if self._reason else ""
         return SolidCut(shape, self._done, len(self._wireframe), reason, volume, mesh_volume, seconds)
+
+
+def _peak_memory() -> float:
+    """Peak memory of this process, GB; 0 on Windows, which keeps no such count."""
+    try:
+        import resource
+    except ImportError:
+        return 0.0
+    # kilobytes on Linux, bytes on macOS
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024) / 1e9
