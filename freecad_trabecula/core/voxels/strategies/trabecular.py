@@ -6,7 +6,6 @@ Field -> offsets -> islands joined -> contacts removed -> exact moves. No floati
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import List, Optional, Tuple
 
 import numpy as np
@@ -112,6 +111,8 @@ def chosen_texture(targets: Targets, parameters: VoxelParameters) -> Texture:
         fitted = Texture(mix=mix)
     else:
         fitted = fitted_texture(targets.sample, mix)
+        if parameters.trabeculae != "off" and fitted.mix < COUNTED_MIX:
+            fitted = fitted_texture(targets.sample, COUNTED_MIX)
     if not lengths.any():
         return fitted
     own = np.diag(fitted.wave_matrix())
@@ -170,9 +171,8 @@ class _Order:
         """Return the field of an attempt, float32, ``FORBIDDEN`` where no solid may be."""
         seed, identity = self.parameters.seed, (attempt,)
         if self.counts_trabeculae:
-            texture = replace(self.texture, mix=max(self.texture.mix, COUNTED_MIX))
             field = locally_fitted(
-                texture, self.shape, seed, identity, self.wanted, self._quickly, self._counted, progress
+                self.texture, self.shape, seed, identity, self.wanted, self._quickly, self._counted, progress
             )
         else:
             field = trabecular_field(self.texture, self.shape, seed, identity, progress)
