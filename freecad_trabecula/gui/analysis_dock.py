@@ -6,7 +6,6 @@ from __future__ import annotations
 from typing import Any, Dict, List, Optional, Sequence
 
 import FreeCAD
-import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
@@ -20,30 +19,26 @@ from .analysis_plots import KINDS, number_text, title
 from .analysis_saving import ask_and_save
 from .chart import Chart, Diagram
 from .fields import row_widget
+from .object_dock import ObjectDock
 from .qt import icon
 from .results_panel import fill, table
-from .slice_view import Slice, SlicePlane, SliceView, plane_box, plane_corners
+from .slice_view import Slice, SliceView, plane_box, plane_corners
 from .transactions import told
-from .view_providers import type_of
 
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaAnalysisDock"
 KIND = "Trabecula::Analysis"
-_HEIGHT, _LIST, _WORDS = 330, 150, 250  # pixels: of the dock, of its list's and its table's first column's width
+_LIST, _WORDS = 150, 250  # pixels: widths of the list and of the table's first column
 
 
-class AnalysisDock(QtGui.QDockWidget):
+class AnalysisDock(ObjectDock):
     """Shows the analyses of the active document that are ticked; two or more on shared axes."""
 
     def __init__(self) -> None:
-        super().__init__(translate("Trabecula", "Slice analysis"), FreeCADGui.getMainWindow())
-        self.setObjectName(_NAME)
-        self.setWindowIcon(icon("Trabecula_analysis"))
-        self.axis, self.plane, self._document = "", 0, ""
+        super().__init__(KIND, _NAME, translate("Trabecula", "Slice analysis"), "Trabecula_analysis")
+        self.axis, self.plane = "", 0
         self._comparison: Optional[Comparison] = None
         self._shown: Dict[str, Analysis] = {}
-        self._slice_plane: Optional[SlicePlane] = None
-        self._observing = False
         self.list = QtGui.QListWidget()
         self.list.setIconSize(QtCore.QSize(16, 16))
         self.list.setMinimumWidth(90)
@@ -55,11 +50,7 @@ class AnalysisDock(QtGui.QDockWidget):
         self.figures = table(4)
         self.figures.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         self.view, self.number = SliceView(), QtGui.QSpinBox()
-        self._wait = QtCore.QTimer(self)
-        self._wait.setSingleShot(True)
-        self._wait.timeout.connect(self.show_objects)
         self.setWidget(self._make_page())
-        self.visibilityChanged.connect(self._observe)
 
     def _make_page(self) -> Any:
         self.tabs = QtGui.QTabWidget()
@@ -86,16 +77,7 @@ class AnalysisDock(QtGui.QDockWidget):
         split.setSizes([_LIST, 700, 330])
         return split
 
-    def sizeHint(self) -> Any:
-        """Ask for a height at which diagrams can be read."""
-        return QtCore.QSize(900, _HEIGHT)
-
     # ---------------------------------------------------------------------------------------------- what there is
-
-    def objects(self) -> List[Any]:
-        """Return the analyses of the active document."""
-        document = FreeCAD.ActiveDocument
-        return [obj for obj in document.Objects if type_of(obj) == KIND] if document is not None else []
 
     def ticked(self) -> List[Any]:
         """Return the analyses that are to be shown."""
@@ -107,7 +89,6 @@ class AnalysisDock(QtGui.QDockWidget):
         """List the analyses anew, and tick the chosen ones; without any those that were ticked, or the last."""
         every = self.objects()
         names = [obj.Name for obj in chosen] or [obj.Name for obj in self.ticked()] or [obj.Name for obj in every[-1:]]
-        self._document = FreeCAD.ActiveDocument.Name if FreeCAD.ActiveDocument is not None else ""
         self.list.blockSignals(True)
         self.list.clear()
         for obj in every:
@@ -228,7 +209,7 @@ class AnalysisDock(QtGui.QDockWidget):
         analysis = self.first()
         if analysis is None or not self.axis or not len(analysis.profiles[self.axis]):
             self.view.show_slice(None, self._notice)
-            self._drop_plane()
+            self.drop_plane()
             return
         obj = self.ticked()[0]
         contours = contours_at_hand(obj, self.axis)
@@ -237,7 +218,8 @@ class AnalysisDock(QtGui.QDockWidget):
             self._fetch(obj)
         else:
             self.view.show_slice(slice_of(analysis, contours, self.axis, plane))
-        self._move_plane(analysis, plane)
+        height = float(analysis.profiles[self.axis].coordinate[plane])
+        self.move_plane(plane_corners(self.axis, height, analysis.box))
 
     def _fetch(self, obj: Any) -> None:
         """Have the contours computed in another process; the dock is told by the object's recompute."""
@@ -259,63 +241,6 @@ class AnalysisDock(QtGui.QDockWidget):
         with told():
             if self.ticked():
                 ask_and_save(self.ticked())
-
-    # ------------------------------------------------------------------------------------------------- the 3D view
-
-    def _move_plane(self, analysis: Analysis, plane: int) -> None:
-        if self._slice_plane is None and self.isVisible() and self._document in FreeCAD.listDocuments():
-            views = FreeCADGui.getDocument(self._document).mdiViewsOfType("Gui::View3DInventor")
-            self._slice_plane = SlicePlane(views[0]) if views else None
-        if self._slice_plane is not None:
-            height = float(analysis.profiles[self.axis].coordinate[plane])
-            self._slice_plane.show(plane_corners(self.axis, height, analysis.box))
-
-    def _drop_plane(self) -> None:
-        if self._slice_plane is not None:
-            self._slice_plane.close()
-            self._slice_plane = None
-
-    # ------------------------------------------------------------------------------------------ FreeCAD's observer
-
-    def _observe(self, visible: bool) -> None:
-        """Follow the documents only while the dock is seen."""
-        if visible and not self._observing:
-            FreeCAD.addDocumentObserver(self)
-            self._wait.start(0)
-        elif not visible and self._observing:
-            FreeCAD.removeDocumentObserver(self)
-            self._drop_plane()
-        self._observing = visible
-
-    def _later(self) -> None:
-        self._wait.start(50)  # many signals, one change
-
-    def slotRecomputedObject(self, obj: Any) -> None:
-        """Show an analysis anew that has been computed (FreeCAD's observer protocol)."""
-        if type_of(obj) == KIND:
-            self._later()
-
-    def slotChangedObject(self, obj: Any, name: str) -> None:
-        """Follow labels (FreeCAD's observer protocol)."""
-        if name == "Label" and type_of(obj) == KIND:
-            self._later()
-
-    def slotDeletedObject(self, obj: Any) -> None:
-        """Take an analysis from the list (FreeCAD's observer protocol)."""
-        if type_of(obj) == KIND:
-            self._later()
-
-    def slotActivateDocument(self, document: Any) -> None:
-        """Show another document's analyses (FreeCAD's observer protocol)."""
-        if document.Name != self._document:
-            self._drop_plane()
-            self._later()
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Let go of a document that is closed (FreeCAD's observer protocol)."""
-        if document.Name == self._document:
-            self._slice_plane = None  # its scene goes with it
-            self._later()
 
 
 def slice_of(analysis: Analysis, contours: Any, axis: str, plane: int) -> Slice:
@@ -342,9 +267,6 @@ def dock_of_window() -> AnalysisDock:
     """Return the window's dock, made when it is first asked for."""
     if not _docks:
         _docks.append(AnalysisDock())
-        window = FreeCADGui.getMainWindow()
-        window.setCorner(QtCore.Qt.BottomLeftCorner, QtCore.Qt.LeftDockWidgetArea)  # task panels keep their height
-        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, _docks[0])
         _docks[0].hide()
     return _docks[0]
 
@@ -352,8 +274,6 @@ def dock_of_window() -> AnalysisDock:
 def show_analyses(chosen: Sequence[Any] = ()) -> AnalysisDock:
     """Open the dock on some analyses; without any on those that were seen last."""
     dock = dock_of_window()
-    dock.show()
-    dock.raise_()
-    FreeCADGui.getMainWindow().resizeDocks([dock], [_HEIGHT], QtCore.Qt.Vertical)
+    dock.open()
     dock.show_objects(chosen)
     return dock

@@ -31,7 +31,7 @@ class ObjectDock(QtGui.QDockWidget):
     def __init__(self, kind: str, name: str, title: str, picture: str) -> None:
         super().__init__(title, FreeCADGui.getMainWindow())
         self.kind, self._document, self._observing = kind, "", False
-        self._plane: Optional[SlicePlane] = None
+        self._slice_plane: Optional[SlicePlane] = None
         self.setObjectName(name)
         self.setWindowIcon(icon(picture))
         self._wait = QtCore.QTimer(self)
@@ -58,7 +58,12 @@ class ObjectDock(QtGui.QDockWidget):
         window = FreeCADGui.getMainWindow()
         if window.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea and not self.isFloating():
             window.setCorner(QtCore.Qt.BottomLeftCorner, QtCore.Qt.LeftDockWidgetArea)
+            others = [one for one in window.findChildren(QtGui.QDockWidget) if isinstance(one, ObjectDock)]
             window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self)
+            for one in others:
+                if one is not self and window.dockWidgetArea(one) == QtCore.Qt.BottomDockWidgetArea:
+                    window.tabifyDockWidget(one, self)  # one behind the other: side by side they are too narrow
+                    break
         self.show()
         self.raise_()
         window.resizeDocks([self], [HEIGHT], QtCore.Qt.Vertical)
@@ -67,17 +72,17 @@ class ObjectDock(QtGui.QDockWidget):
 
     def move_plane(self, corners: np.ndarray) -> None:
         """Show a plane between four corners (4, 3), mm, in the 3D view."""
-        if self._plane is None and self.isVisible() and self._document in FreeCAD.listDocuments():
+        if self._slice_plane is None and self.isVisible() and self._document in FreeCAD.listDocuments():
             views = FreeCADGui.getDocument(self._document).mdiViewsOfType("Gui::View3DInventor")
-            self._plane = SlicePlane(views[0]) if views else None
-        if self._plane is not None:
-            self._plane.show(corners)
+            self._slice_plane = SlicePlane(views[0]) if views else None
+        if self._slice_plane is not None:
+            self._slice_plane.show(corners)
 
     def drop_plane(self) -> None:
         """Take the plane out of the view."""
-        if self._plane is not None:
-            self._plane.close()
-            self._plane = None
+        if self._slice_plane is not None:
+            self._slice_plane.close()
+            self._slice_plane = None
 
     # ------------------------------------------------------------------------------------------ FreeCAD's observer
 
@@ -118,5 +123,5 @@ class ObjectDock(QtGui.QDockWidget):
     def slotDeletedDocument(self, document: Any) -> None:
         """Let go of a document that is closed (FreeCAD's observer protocol)."""
         if document.Name == self._document:
-            self._plane = None  # its scene goes with it
+            self._slice_plane = None  # its scene goes with it
             self._later()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, List, Optional, Set, Tuple
 
 import FreeCAD
@@ -10,7 +11,9 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from .. import make
+from ..core.voxels.sources import MESHES
 from ..core.voxels.targets import AXES
+from ..core.voxels.volume_sources import VOLUMES
 from ..errors import TrabeculaError
 from ..features.voxel_design import design_at_hand
 from .chart import Chart, Diagram
@@ -178,7 +181,9 @@ class VoxelDock(ObjectDock):
 
 def _has_sample(obj: Any) -> bool:
     """Whether a design's sample is a body, of which voxels are known, not profiles."""
-    return obj.Source is not None and type_of(obj.Source) != "Trabecula::Analysis"
+    if obj.Source is None:
+        return Path(obj.File).suffix.lower() in (*MESHES, *VOLUMES)
+    return type_of(obj.Source) != "Trabecula::Analysis"
 
 
 _docks: List[VoxelDock] = []

@@ -230,7 +230,7 @@ class DockTest(VoxelCase):
             self.assertTrue(np.allclose(curves[0].y, curves[1].y), kind)  # exact; a bracket has one design only
         self.dock.charts["voxels"].pointed.emit(3.6)
         self.assertEqual((self.dock.layer, self.dock.slider.value(), self.dock.number.value()), (7, 7, 7))
-        node = self.dock._plane._corners.point
+        node = self.dock._slice_plane._corners.point
         self.assertAlmostEqual(node[0].getValue()[2], 3.75, 5)
 
     def test_the_sample_of_an_opened_file_is_worked_out_elsewhere(self):
@@ -272,7 +272,7 @@ class DockTest(VoxelCase):
         self.assertIn("Design voxels", self.dock.design.words)
         FreeCAD.closeDocument(self.document.Name)
         settle(0.4)
-        self.assertIsNone(self.dock._plane)
+        self.assertIsNone(self.dock._slice_plane)
         self.document = FreeCAD.newDocument("Next")
 
     def test_one_click_slices_the_design_layer_by_layer(self):
