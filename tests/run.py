@@ -34,7 +34,7 @@ PARTS = {
     "gui": "window",
 }
 #: Seconds after which a process is ended: all of the plain tests, one file of the others.
-TIMEOUTS = {"plain": 1200, "document": 600, "window": 300}
+TIMEOUTS = {"plain": 2700, "document": 600, "window": 600}
 #: A refusal raised on purpose by an object's execute: FreeCAD reports it with its traceback, and this last line.
 REFUSAL = "<class 'freecad_trabecula.errors."
 #: FreeCAD's settings in the home of the tests: no start page, which would start a web browser.
