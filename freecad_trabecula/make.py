@@ -47,6 +47,7 @@ from .features.tasks import run_task, take_results, write_task
 from .features.voxel_design import voxel_design_of
 from .features.voxel_makers import (
     change_voxel_design,
+    combine_with_body,
     estimate_voxel_design,
     make_layer_shapes,
     make_voxel_design,
@@ -62,6 +63,7 @@ __all__ = [
     "change_analysis",
     "change_design",
     "change_voxel_design",
+    "combine_with_body",
     "compare_analyses",
     "contours_of",
     "default_parameters",

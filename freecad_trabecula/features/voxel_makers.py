@@ -9,14 +9,19 @@ from typing import Any, Optional, Sequence, Tuple, Union
 
 import FreeCAD
 
+from ..core.booleans import combine
+from ..core.meshes import printable, weld
 from ..core.progress import Progress, silent
+from ..core.voxels.blocks import block_mesh
 from ..core.voxels.design import Estimate, estimate
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.sources import MESHES, layers_of_source, read_triangles, targets_of_profiles
 from ..core.voxels.targets import layer_counts_of_box
+from ..errors import ParameterError
+from ..geometry.mesh_objects import mesh_object
 from ..geometry.voxel_shapes import layer_solids, layer_wires
 from .analysis import Analysis, analysis_of
-from .analysis_source import file_source
+from .analysis_source import file_source, object_source, soup_of_source
 from .base import write_parameters
 from .feature import is_a, update
 from .makers import add, all_or_nothing
@@ -192,3 +197,50 @@ def _edges_of_file(path: str, mark: str) -> Tuple[float, ...]:
 @lru_cache(maxsize=64)
 def _layers_of_file(path: str, mark: str, parameters: VoxelParameters) -> Tuple[int, int, int]:
     return layers_of_source(path, parameters)
+
+
+def combine_with_body(obj: Any, body: Any, kind: str = "union", progress: Progress = silent) -> Any:
+    """Add a voxel design to a body, or cut it from it, and return the new mesh object.
+
+    Parameters
+    ----------
+    obj : document object
+        A voxel design.
+    body : document object
+        A mesh or a solid.
+    kind : str
+        ``union``: both as one; ``difference``: the body less the design; ``intersection``: what both fill.
+    progress : callable
+
+    Raises
+    ------
+    TrabeculaError
+        If there is no such kind, nothing is left, or manifold3d is missing; the document is as it was.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.voxels.parameters import VoxelParameters
+    >>> document = FreeCAD.newDocument()
+    >>> ring = document.addObject("Part::Feature", "Ring")
+    >>> ring.Shape = make.make_box(document, 4, 4, 4).Shape.cut(make.make_box(document, 2, 2, 4).Shape)
+    >>> design = make.make_voxel_design(document, ring, VoxelParameters(size=(0.5, 0.5, 0.5)))
+    >>> round(make.combine_with_body(design, make.make_box(document, 4, 4, 2), "union").Mesh.Volume, 3)
+    56.0
+    """
+    design = voxel_design_of(obj)
+    progress(0, 3, "triangles of the body")
+    triangles = soup_of_source(object_source(body), "auto", 0.0).triangles
+    progress(1, 3, f"{kind} of the body and the voxels")
+    voxels = block_mesh(design.voxels, design.targets.voxel, design.targets.origin)
+    mesh = combine([weld(triangles), voxels], kind)
+    if not len(mesh.triangles):
+        raise ParameterError(f"the {kind} of {body.Label} and {obj.Label} must leave some volume, got 0 mm3")
+    progress(2, 3, "mesh")
+    shown = mesh_object(printable(mesh))
+    with all_or_nothing(obj.Document):
+        found = obj.Document.addObject("Mesh::Feature", "Combination")
+        found.Label = f"{kind} of {body.Label} and {obj.Label}"
+        found.Mesh = shown
+    return found

@@ -7,10 +7,11 @@ import unittest
 
 import Mesh
 import numpy as np
-from document_case import DocumentCase
+from document_case import NO_BOOLEANS, DocumentCase
 
 from freecad_trabecula import make
 from freecad_trabecula.core.analysis.parameters import SliceParameters
+from freecad_trabecula.core.booleans import manifold_available
 from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.errors import InfeasibleError, KernelError, ParameterError
@@ -111,6 +112,22 @@ class VoxelDesigns(DocumentCase):
         self.assertTrue(make.make_layer_shapes(design, [0]).Shape.Wires)
         with self.assertRaisesRegex(ParameterError, r"0\.\.7, got 8"), self.unchanged():
             make.make_layer_shapes(design, [8])
+
+    @unittest.skipUnless(manifold_available(), NO_BOOLEANS)
+    def test_a_design_is_added_to_a_body_and_cut_from_it(self):
+        design = make.make_voxel_design(self.document, self.bracket(), HALF)
+        half = make.make_box(self.document, 4, 4, 2)  # 32 mm3, of which the bracket fills 24
+        volumes = {"union": 48 + 32 - 24, "difference": 8, "intersection": 24}
+        for kind, volume in volumes.items():
+            found = make.combine_with_body(design, half, kind)
+            self.assertAlmostEqual(found.Mesh.Volume, volume, places=3)
+            self.assertTrue(found.Mesh.isSolid())
+        with self.assertRaisesRegex(ParameterError, "must be one of .* got 'glue'"), self.unchanged():
+            make.combine_with_body(design, half, "glue")
+        apart = make.make_box(self.document, 1, 1, 1)
+        apart.Placement.Base.z = 50
+        with self.assertRaisesRegex(ParameterError, "must leave some volume"), self.unchanged():
+            make.combine_with_body(design, apart, "intersection")
 
     def test_a_task_for_another_process_gives_the_same(self):
         design = make.make_voxel_design(self.document, self.bracket(), HALF)
