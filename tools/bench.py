@@ -139,7 +139,8 @@ def _bodies(name, n, engine):
     wanted = ScaffoldParameters(engine=engine, cell=CELL)
     bodies, seconds, memory = clock(lambda: scaffold_bodies(vertices, triangles, envelope.mesh, wanted))
     bad = [c.name for c in bodies.checks if not c.ok]
-    text = f"{len(vertices)} rods, {len(vertices) * len(triangles)} triangles, scaffold {bodies.parts.scaffold_volume:.3f} mm3"
+    volume = bodies.parts.scaffold_volume
+    text = f"{len(vertices)} rods, {len(vertices) * len(triangles)} triangles, scaffold {volume:.3f} mm3"
     return seconds, memory, text + (f", FAILED {bad}" if bad else ", all checks held")
 
 

@@ -7,9 +7,9 @@
 Thickness and spacing are held against porespy (local_thickness), the Euler number against scikit-image (a part of
 porespy), both given our voxels, thickness also with our radii rounded down to porespy's 25: ``python3 -m venv V;
 V/bin/pip install porespy; --rival V/bin/python``. The degree of anisotropy by lines is held against the one that the
-triangles' normals give, the connectivity against the mesh's own Euler number. The bones are looked for in the folder TRABECULA_DATA (default: ../shared/data). Each piece
-runs in a process of its own on one thread: CPU seconds and peak memory are those of the work alone. ``--page FILE``
-writes the table too.
+triangles' normals give, the connectivity against the mesh's own Euler number. The bones are looked for in the folder
+TRABECULA_DATA (default: ../shared/data). Each piece runs in a process of its own on one thread: CPU seconds and peak
+memory are those of the work alone. ``--page FILE`` writes the table too.
 """
 
 import argparse
