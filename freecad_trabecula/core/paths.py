@@ -98,11 +98,11 @@ def stations(paths: np.ndarray, count: int, to_bends: bool = False) -> Stations:
     where = np.interp((even + shift).ravel(), at_fine.ravel(), np.tile(_KNOTS, rods)).reshape(rods, count)
     shares = np.interp((even + shift).ravel(), at_fine.ravel(), length_at.ravel()).reshape(rods, count)
     where[:, 0], where[:, -1], shares[:, 0], shares[:, -1] = 0.0, 2.0, 0.0, 1.0
-    velocity, acceleration = _evaluate(paths, where, 1), _evaluate(paths, where, 2)
+    place, velocity, acceleration = _evaluate(*_pieces_at(paths, where))
     pace = np.linalg.norm(velocity, axis=2, keepdims=True).clip(1e-12)
     tangent = velocity / pace
     along = (acceleration * tangent).sum(2, keepdims=True)
-    return Stations(_evaluate(paths, where, 0), tangent, (acceleration - along * tangent) / pace**2, shares, total)
+    return Stations(place, tangent, (acceleration - along * tangent) / pace**2, shares, total)
 
 
 def path_bends(paths: np.ndarray) -> np.ndarray:
@@ -118,8 +118,10 @@ def _fine_lengths(paths: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
 
     The parameter's speed jumps where the pieces meet: it is taken in the middle of each step.
     """
-    middles = np.tile((_KNOTS[1:] + _KNOTS[:-1]) / 2, (len(paths), 1))
-    velocity, acceleration = _evaluate(paths, middles, 1), _evaluate(paths, middles, 2)
+    middles = (_KNOTS[1 : _FINE + 1] + _KNOTS[:_FINE]) / 2
+    t = middles[None, :, None]  # the same in both pieces: no pole is looked up step by step
+    found = [_evaluate(t, paths[:, k, None]) for k in (0, 1)]
+    velocity, acceleration = (np.concatenate([one[n] for one in found], 1) for n in (1, 2))
     speed = np.linalg.norm(velocity, axis=2)
     curvature = np.linalg.norm(np.cross(velocity, acceleration), axis=2) / np.maximum(speed, 1e-12) ** 3
     length = speed * _KNOTS[1]
@@ -132,15 +134,16 @@ def _running(steps: np.ndarray) -> np.ndarray:
     return sums / sums[:, -1:]
 
 
-def _evaluate(paths: np.ndarray, where: np.ndarray, derivative: int) -> np.ndarray:
-    """Points (or derivatives) (R, K, 3) of two-piece paths at parameters ``where`` (R, K) in 0..2."""
-    piece = (where >= 1).astype(int).clip(0, 1)
-    t = (where - piece)[..., None]
-    p = np.take_along_axis(paths, piece[:, :, None, None], 1)
-    a, b, c, d = (p[:, :, i] for i in range(4))
+def _pieces_at(paths: np.ndarray, where: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Parameters (R, K, 1) in 0..1 and poles (R, K, 4, 3) of the pieces at parameters ``where`` (R, K) in 0..2."""
+    piece = (where >= 1).astype(int)
+    return (where - piece)[..., None], np.where(piece[..., None, None] == 0, paths[:, :1], paths[:, 1:])
+
+
+def _evaluate(t: np.ndarray, poles: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points, first and second derivatives (R, K, 3) of cubic pieces (R, K or 1, 4, 3) at parameters (R or 1, K, 1)."""
+    a, b, c, d = (poles[:, :, i] for i in range(4))
     s = 1 - t
-    if derivative == 0:
-        return s**3 * a + 3 * s**2 * t * b + 3 * s * t**2 * c + t**3 * d
-    if derivative == 1:
-        return 3 * (s**2 * (b - a) + 2 * s * t * (c - b) + t**2 * (d - c))
-    return 6 * (s * (c - 2 * b + a) + t * (d - 2 * c + b))
+    points = s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d
+    first = 3 * (s**2 * (b - a) + 2 * s * t * (c - b) + t**2 * (d - c))
+    return points, first, 6 * (s * (c - 2 * b + a) + t * (d - 2 * c + b))

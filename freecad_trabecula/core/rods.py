@@ -178,7 +178,9 @@ def build_rods(paths: np.ndarray, ends: RodEnds, count: int, points: int, to_ben
     poles = bezier_poles(pores)
     flat = outlines(poles, points)
     poles, flat = (a.reshape((len(paths), count) + a.shape[1:]) for a in (poles, flat))
-    rings = on_path.centres[:, :, None] + np.einsum("rkmc,rkcx->rkmx", flat, frames[:, :, :2])
+    rings = flat[..., :1] * frames[:, :, None, 0]
+    rings += flat[..., 1:] * frames[:, :, None, 1]
+    rings += on_path.centres[:, :, None]
     return Rods(on_path, frames, poles, rings)
 
 
@@ -256,10 +258,10 @@ def rod_faults(rods: Rods) -> Dict[str, np.ndarray]:
     normal. ``crossing``: neighbouring section planes cross inside the rod, so that its surface folds.
     """
     normals, rings, centres = rods.frames[:, :, 2], rods.rings, rods.stations.centres
-    ahead = np.einsum("rkmx,rkx->rkm", rings[:, 1:] - centres[:, :-1, None], normals[:, :-1])
-    behind = np.einsum("rkmx,rkx->rkm", rings[:, :-1] - centres[:, 1:, None], normals[:, 1:])
+    ahead = _heights(rings[:, 1:], centres[:, :-1], normals[:, :-1])
+    behind = _heights(rings[:, :-1], centres[:, 1:], normals[:, 1:])
     slope = np.einsum("rkx,rkx->rk", rods.stations.tangents, normals)
-    flat = np.einsum("rkmx,rkcx->rkmc", rings - centres[:, :, None], rods.frames[:, :, :2])
+    flat = np.stack([_heights(rings, centres, rods.frames[:, :, axis]) for axis in (0, 1)], -1)
     return {
         "loop": loops(flat).any(-1),
         "flat": slope.min(1, initial=1.0) < FLAT,
@@ -267,13 +269,21 @@ def rod_faults(rods: Rods) -> Dict[str, np.ndarray]:
     }
 
 
+def _heights(points: np.ndarray, origins: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """Products (R, K, m) of normals (R, K, 3) with points (R, K, m, 3) less origins (R, K, 3), summed as they stand."""
+    found = points[..., 0] * normals[:, :, None, 0]
+    for axis in (1, 2):
+        found += points[..., axis] * normals[:, :, None, axis]
+    found -= (origins * normals).sum(-1)[:, :, None]
+    return found
+
+
 def sharpest_bends(rods: Rods) -> np.ndarray:
     """Return each rod's greatest curvature times its half-width towards the centre of curvature, ndarray (R,).
 
     From 1 on a rod whose sections are normal to its path folds; a measure of how sharply it bends for others.
     """
-    offset = rods.rings - rods.stations.centres[:, :, None]
-    return np.einsum("rkmx,rkx->rkm", offset, rods.stations.curvatures).max((1, 2), initial=0.0)
+    return _heights(rods.rings, rods.stations.centres, rods.stations.curvatures).max((1, 2), initial=0.0)
 
 
 def narrowest_areas(rods: Rods) -> np.ndarray:
