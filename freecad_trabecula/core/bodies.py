@@ -26,7 +26,7 @@ BALANCE = 1e-6  # of the envelope: scaffold + channels + loose pieces against it
 FIELD = 2e-3  # of the envelope: what cells may change
 RAYS = (100, 250)  # fewest and most rays per direction
 RAYS_PER_ROOT = 16  # rays per direction and root of the number of rods: 1e-4 of the volume for case 6
-FIELD_RAYS = 150  # per direction, where cells blunt the volume more than so few rays do
+FIELD_RAYS = 100  # per direction, where cells blunt the volume more than so few rays do
 RAY_ERRORS = 5.0  # standard errors by which the rays' volume may differ
 NOTED = 0.01  # of the envelope: loose pieces or filled voids above this share are pointed out
 

@@ -103,14 +103,15 @@ def mesh_area(mesh: Mesh) -> float:
 def _tetrahedra(mesh: Mesh) -> Iterator[np.ndarray]:
     """Signed volumes of the tetrahedra from the mesh's middle to its triangles: near it, so that little cancels."""
     if len(mesh.vertices):
-        for a, b, c in _corner_blocks(mesh, np.add(*bounds(mesh)) / 2):
-            yield (a * np.cross(b, c)).sum(1) / 6
+        for corners in _corner_blocks(mesh, np.add(*bounds(mesh)) / 2):
+            (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (corner.T for corner in corners)
+            yield (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6
 
 
 def _corner_blocks(mesh: Mesh, origin: np.ndarray) -> Iterator[Tuple[np.ndarray, np.ndarray, np.ndarray]]:
     for start in range(0, len(mesh.triangles), _BLOCK):
         block = mesh.triangles[start : start + _BLOCK]
-        yield tuple(mesh.vertices[block[:, k]] - origin for k in range(3))  # type: ignore[misc]
+        yield tuple(np.take(mesh.vertices, block[:, k], 0) - origin for k in range(3))  # type: ignore[misc]
 
 
 def directed_edges(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
