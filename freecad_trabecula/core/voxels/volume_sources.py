@@ -87,4 +87,4 @@ def block_thickness(voxels: np.ndarray, voxel: tuple) -> float:
     surface = 0.0
     for axis, edge in zip((2, 1, 0), voxel):  # what touches the box's border is cut there, not surface
         surface += np.count_nonzero(np.diff(voxels, axis=axis)) * cell / edge
-    return 2 * np.count_nonzero(voxels) * cell / (surface / 1.5) if surface else math.nan
+    return float(2 * np.count_nonzero(voxels) * cell / (surface / 1.5)) if surface else math.nan
