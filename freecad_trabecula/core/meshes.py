@@ -198,17 +198,15 @@ def require_closed(mesh: Mesh, name: str) -> None:
         )
 
 
-def components(mesh: Mesh) -> np.ndarray:
-    """Return the number of each triangle's component, (T,) int64 from 0: triangles that share a vertex belong together.
+def roots(count: int, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return the lowest number (count,) that each thing is joined with, directly or through others, by links a to b.
 
     Notes
     -----
-    Hooking and pointer jumping (Shiloach and Vishkin 1982, doi:10.1016/0196-6774(82)90008-6): every vertex that has a
-    neighbour with a lower number points to one of them, chains are cut short to their roots, edges inside a tree drop
-    out.
+    Hooking and pointer jumping (Shiloach and Vishkin 1982, doi:10.1016/0196-6774(82)90008-6): everything that is joined
+    with a lower number points to one of them, chains are cut short to their roots, links inside a tree drop out.
     """
-    root = np.arange(len(mesh.vertices), dtype=mesh.triangles.dtype)
-    a, b = mesh.triangles[:, :2].ravel(), mesh.triangles[:, 1:].ravel()
+    root = np.arange(count, dtype=a.dtype)
     while len(a):
         root[np.maximum(a, b)] = np.minimum(a, b)  # always to a lower number: no circles, whichever wins
         while True:
@@ -219,6 +217,13 @@ def components(mesh: Mesh) -> np.ndarray:
         a, b = root[a], root[b]
         apart = a != b
         a, b = a[apart], b[apart]
+    return root
+
+
+def components(mesh: Mesh) -> np.ndarray:
+    """Return the number of each triangle's component, (T,) from 0: triangles that share a vertex belong together."""
+    a, b = mesh.triangles[:, :2].ravel(), mesh.triangles[:, 1:].ravel()
+    root = roots(len(mesh.vertices), a, b)
     of_triangle = root[mesh.triangles[:, 0]]
     used = np.zeros(len(root), bool)
     used[of_triangle] = True

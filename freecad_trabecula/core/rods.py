@@ -197,7 +197,7 @@ def tessellation(mean_size: float, deflection: float, bend: float) -> Tuple[int,
 
 
 def default_deflection(mean_size: float) -> float:
-    """Return the default deflection, mm: 1/50 of the mean pore size (0.01 mm for 0.2 to 0.8 mm pores)."""
+    """Return the default deflection, mm: 1/40 of the mean pore size (0.0125 mm for 0.2 to 0.8 mm pores)."""
     return mean_size / 40
 
 

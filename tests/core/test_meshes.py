@@ -227,3 +227,8 @@ def test_coordinates_too_large_for_single_precision_are_refused():
     mesh = box([0, 0, 0], [1, 1, 1e39])
     with np.errstate(over="ignore"), pytest.raises(MeshError, match="finite and below 3.4e38 mm"):
         m.printable(mesh)
+
+
+def test_roots_are_the_lowest_of_what_hangs_together():
+    a, b = np.array([5, 3, 9, 7, 1]), np.array([3, 5, 2, 9, 8])
+    assert m.roots(10, a, b).tolist() == [0, 1, 2, 3, 4, 3, 6, 2, 1, 2]

@@ -8,6 +8,7 @@ from typing import List, Optional, Tuple
 
 import numpy as np
 
+from ..meshes import roots
 from ..progress import Progress, part, silent
 from .crossings import crossing_triangles
 from .neighbours import corner_keys, partners_of
@@ -132,7 +133,7 @@ def _parts(partners: np.ndarray, same: np.ndarray) -> Tuple[int, int]:
     """Number of pieces, and of triangles to be turned so that all neighbours in a piece agree."""
     count = len(partners) // 3
     half = np.flatnonzero(partners >= 0)
-    patch = roots(count, half % count, partners[half] % count)
+    patch = roots(count, *((ends % count).astype(np.int32) for ends in (half, partners[half])))
     is_root = patch == np.arange(count, dtype=np.int32)
     patch = (np.cumsum(is_root, dtype=np.int32) - 1)[patch]  # numbers without gaps
     names, sizes = range(int(is_root.sum())), np.bincount(patch)
@@ -158,27 +159,6 @@ def _parts(partners: np.ndarray, same: np.ndarray) -> Tuple[int, int]:
         ways = np.bincount(turned[group], sizes[group], 2)
         flipped += int(ways.min())
     return pieces, flipped
-
-
-def roots(count: int, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the lowest number (count,) that each thing is joined with, directly or through others, by links a to b.
-
-    Hooking and pointer jumping (Shiloach and Vishkin 1982, doi:10.1016/0196-6774(82)90008-6), as in
-    ``meshes.components``.
-    """
-    root = np.arange(count, dtype=np.int32)
-    a, b = a.astype(np.int32), b.astype(np.int32)
-    while len(a):
-        root[np.maximum(a, b)] = np.minimum(a, b)
-        while True:
-            jumped = root[root]
-            if (jumped == root).all():
-                break
-            root = jumped
-        a, b = root[a], root[b]
-        apart = a != b
-        a, b = a[apart], b[apart]
-    return root
 
 
 def _duplicates(keys: np.ndarray) -> int:

@@ -16,7 +16,7 @@ from ..analysis.analysis import Analysis
 from ..analysis.folder import REPORT, load_analysis
 from ..analysis.slices import sliced_areas
 from ..analysis.triangles import read_soup
-from ..analysis.voxelise import voxelise
+from ..analysis.voxelise import mean_thickness, voxelise
 from ..parameters import require
 from ..progress import Progress, part, silent
 from .parameters import VoxelParameters
@@ -228,23 +228,6 @@ def check_closed(triangles: np.ndarray) -> None:
     require(open_area <= _OPEN * surface, "a sample's mesh must be closed; its open area is", f"{open_area:.3g}", "mm²")
     volume = float(((a - a.mean(0)) * normals).sum()) / 6
     require(volume > 0, "a sample's mesh must not be inside out; its volume is", f"{volume:.4g}", "mm³")
-
-
-def mean_thickness(triangles: np.ndarray) -> float:
-    """Return the mean thickness 2 V / S of a closed mesh, mm (plate model, Parfitt 1983, doi:10.1172/JCI111096).
-
-    Examples
-    --------
-    >>> o, x, y, z = np.eye(4, 3, -1)
-    >>> faces = np.array([[o, y, x], [o, x, z], [o, z, y], [x, y, z]])
-    >>> round(mean_thickness(faces), 6)  # 2 / 6 / (3 / 2 + sqrt(3) / 2)
-    0.140883
-    """
-    a, b, c = (np.asarray(triangles[:, k], float) for k in range(3))
-    normals = np.cross(b - a, c - a)
-    surface = float(np.sqrt((normals**2).sum(1)).sum()) / 2
-    volume = float((a * normals).sum()) / 6
-    return 2 * volume / surface if surface > 0 else math.nan
 
 
 def targets_of_analysis(folder: Union[str, Path], parameters: VoxelParameters) -> Targets:

@@ -10,7 +10,7 @@ import pytest
 
 from freecad_trabecula.core.analysis.crossings import crossing_triangles
 from freecad_trabecula.core.analysis.neighbours import corner_keys
-from freecad_trabecula.core.analysis.soundness import mesh_facts, roots
+from freecad_trabecula.core.analysis.soundness import mesh_facts
 from freecad_trabecula.core.analysis.triangles import Soup, by_corners, read_soup
 from freecad_trabecula.core.meshes import Mesh, join, mesh_area, mesh_volume
 from freecad_trabecula.errors import Cancelled
@@ -118,11 +118,6 @@ def test_self_intersections_of_real_bone_are_those_that_another_program_found(na
     assert (f.self_intersecting, f.parts, f.open_edges, f.flipped) == (expected, 1, 0, 0)
     assert f.triangles == known["triangles"]
     assert f.volume == pytest.approx(known["volume"], rel=1e-7)
-
-
-def test_roots_are_the_lowest_of_what_hangs_together():
-    a, b = np.array([5, 3, 9, 7, 1]), np.array([3, 5, 2, 9, 8])
-    assert roots(10, a, b).tolist() == [0, 1, 2, 3, 4, 3, 6, 2, 1, 2]
 
 
 def test_looking_for_faults_can_be_cancelled():

@@ -143,3 +143,8 @@ def test_cancelling_stops_between_layers():
 
     with pytest.raises(Cancelled):
         v.voxelise(box([0, 0, 0], [1, 1, 1]), 0.02, progress=cancel)
+
+
+def test_the_mean_thickness_of_a_plate_is_nearly_its_own():
+    plate = box([0, 0, 0], [50, 50, 0.2])
+    assert v.mean_thickness(plate) == pytest.approx(2 * 500 / (5000 + 4 * 50 * 0.2))

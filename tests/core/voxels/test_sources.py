@@ -20,7 +20,6 @@ from freecad_trabecula.core.voxels.blocks import block_mesh
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.voxels.sources import (
     layers_of_source,
-    mean_thickness,
     read_mask,
     read_targets,
     targets_record,
@@ -66,11 +65,6 @@ def test_cells_that_are_no_cubes_ask_for_the_same_volume(mesh_file):
 def test_trabeculae_are_asked_for_only_when_chosen(mesh_file):
     assert read_targets(mesh_file, chosen()).trabeculae is None
     assert [len(t) for t in read_targets(mesh_file, chosen(trabeculae="xyz")).trabeculae] == [4, 5, 6]
-
-
-def test_the_mean_thickness_of_a_plate_is_nearly_its_own():
-    plate = block_mesh(np.ones((1, 50, 50), bool), (1.0, 1.0, 0.2))
-    assert mean_thickness(plate.corners) == pytest.approx(2 * 500 / (5000 + 4 * 50 * 0.2))
 
 
 def test_an_analysis_asks_for_the_same_as_its_mesh(mesh_file, tmp_path):
