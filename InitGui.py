@@ -4,6 +4,18 @@
 
 import FreeCADGui
 
+from freecad_trabecula import views
+
+
+def _attach_view(obj):
+    from freecad_trabecula.gui import view_providers
+
+    view_providers.attach(obj)
+
+
+# Objects made without a window get their view provider when they are opened in one.
+views.attach_views_with(_attach_view)
+
 
 class TrabeculaWorkbench(FreeCADGui.Workbench):
     MenuText = "Trabecula"

@@ -145,7 +145,7 @@ def take_path_dialog(panel):
 
 def take_loose(report):
     """Picture what the channels cut off, alone."""
-    from freecad_trabecula.gui.view_providers import parts_of
+    from freecad_trabecula.features.relations import parts_of
 
     parts = parts_of(report.wireframe)
     for one in parts:
@@ -159,8 +159,8 @@ def take_loose(report):
 
 def take_export():
     """Picture the export dialog."""
+    from freecad_trabecula.features.relations import parts_of, wireframe_of
     from freecad_trabecula.gui.export_dialog import ExportDialog, exists
-    from freecad_trabecula.gui.view_providers import parts_of, wireframe_of
 
     wireframe = wireframe_of(FreeCAD.ActiveDocument.getObject("Network"))
     bodies = [one for one in parts_of(wireframe) if exists(one)]
@@ -196,8 +196,8 @@ def take_rod_dock():
 
 def take_recomputing():
     """Picture a property that was changed, its result on the way in another process."""
+    from freecad_trabecula.features.relations import wireframe_of
     from freecad_trabecula.gui.recomputing import of_window
-    from freecad_trabecula.gui.view_providers import wireframe_of
 
     wireframe = wireframe_of(FreeCAD.ActiveDocument.getObject("Network"))
     FreeCADGui.Selection.clearSelection()

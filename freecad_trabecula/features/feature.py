@@ -10,7 +10,9 @@ import FreeCAD
 
 from ..core.progress import Progress, silent
 from ..errors import KernelError, TrabeculaError
+from ..views import attach_view
 from .base import add_parameters
+from .stateless import Stateless
 
 # FreeCAD's attributes of properties (App::PropertyType)
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
@@ -35,7 +37,7 @@ def result(type_name: str, name: str, doc: str, hidden: bool = False) -> Propert
     return Property("App::Property" + type_name, name, "Results", doc, OUTPUT | READ_ONLY | (HIDDEN if hidden else 0))
 
 
-class Feature:
+class Feature(Stateless):
     """Base of the proxies.
 
     Subclasses name their parameter classes and properties, and fill in ``compute``. Nothing is kept in the proxy: data
@@ -113,29 +115,6 @@ class Feature:
         if not touched:
             obj.purgeTouched()  # limits were set again, nothing else
         attach_view(obj)
-
-    # Nothing is kept in the proxy. FreeCAD 0.20 calls the second pair, later ones the first.
-    def dumps(self) -> None:
-        """Return the proxy's state: none."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Take the proxy's state: none."""
-        return None
-
-    def __getstate__(self) -> None:
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        return None
-
-
-def attach_view(obj: Any) -> None:
-    """Give an object its view provider, if there is a window and it has none (made without one)."""
-    if FreeCAD.GuiUp and obj.ViewObject is not None and obj.ViewObject.Proxy in (None, 0):
-        from ..gui import view_providers
-
-        view_providers.attach(obj)
 
 
 def is_a(obj: Any, *types: Type[Feature]) -> bool:

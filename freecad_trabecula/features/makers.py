@@ -16,10 +16,11 @@ from ..core.parameters import FaceParameters, PrismParameters, ScaffoldParameter
 from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
 from ..geometry.envelopes import load_envelope
+from ..views import attach_view
 from .base import lines_of, write_parameters
 from .envelope import fill
 from .face_sites import FaceSites
-from .feature import attach_view, is_a, update
+from .feature import is_a, update
 from .network import Network
 from .prism_sites import PrismSites
 from .scaffold import ROLES, Body, Scaffold

@@ -8,6 +8,7 @@ from typing import Any, List
 import FreeCAD
 
 from ..errors import ParameterError
+from ..features.relations import type_of
 from . import panels
 from .analysing import analyse_at_once
 from .analysis_dock import dock_of_window, show_analyses
@@ -15,7 +16,6 @@ from .analysis_form import is_sliceable
 from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
 from .document_work import is_busy
 from .transactions import say
-from .view_providers import type_of
 
 translate = FreeCAD.Qt.translate
 KIND = "Trabecula::Analysis"

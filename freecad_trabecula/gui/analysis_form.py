@@ -13,11 +13,12 @@ from PySide import QtGui
 from ..core.analysis.parameters import AXES, SliceParameters
 from ..core.analysis.triangles import UNITS
 from ..errors import ParameterError
+from ..features.relations import type_of
 from .accordion import Accordion
-from .fields import Form, NumberField, row_widget
+from .fields import NumberField, row_widget
+from .form import Form
 from .object_choice import ObjectChoice
 from .qt import icon, small_button
-from .view_providers import type_of
 
 translate = FreeCAD.Qt.translate
 _FILES = "Meshes (*.stl *.obj *.ply *.3mf)"

@@ -14,13 +14,13 @@ from .. import make
 from ..core.job import Job
 from ..core.records import to_record
 from ..errors import DependencyError, KernelError, TrabeculaError
+from ..features.relations import products_of, type_of
 from ..features.tasks import write_job_task
 from . import transactions
 from .child_work import ChildWork, Progress, task_work
 from .install import PACKAGE
 from .qt import invoke_later
 from .transactions import record
-from .view_providers import products_of, type_of
 
 #: Works that have not ended yet: a cancelled one lives on here until its process is gone.
 _works: Set[ChildWork] = set()

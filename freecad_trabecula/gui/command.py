@@ -8,9 +8,9 @@ from typing import Any, Dict, List
 import FreeCAD
 import FreeCADGui
 
+from ..features.relations import type_of
 from .qt import icon_path
 from .transactions import record, told
-from .view_providers import type_of
 
 translate = FreeCAD.Qt.translate
 

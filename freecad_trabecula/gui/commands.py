@@ -14,6 +14,7 @@ from ..core.job import job_to_json
 from ..core.presets import PRESETS, preset
 from ..errors import ParameterError
 from ..features.jobs import job_of
+from ..features.relations import parts_of, products_of, type_of, wireframe_of
 from ..geometry.files import replacing
 from . import panels
 from .analysis_commands import COMMANDS as ANALYSIS_COMMANDS
@@ -22,10 +23,11 @@ from .design_form import preset_text
 from .export_dialog import export_design
 from .picking import is_solid
 from .qt import icon_path
+from .results_panel import open_results
 from .rod_dock import toggle_dock
 from .site_panel import open_site_panel
+from .task_panels import wireframes
 from .transactions import say, transaction
-from .view_providers import parts_of, products_of, type_of, wireframe_of
 from .voxel_commands import COMMANDS as VOXEL_COMMANDS
 
 translate = FreeCAD.Qt.translate
@@ -35,7 +37,7 @@ _JOB_FILES = "Trabecula job (*.json)"
 def _wireframe() -> Any:
     """The design of the selection, else the document's only or latest; None if there is none."""
     chosen = [wireframe_of(obj) for obj in selected_objects() if type_of(obj)]
-    found = [one for one in chosen if one is not None] or panels.wireframes(active_document())[-1:]
+    found = [one for one in chosen if one is not None] or wireframes(active_document())[-1:]
     return found[0] if found else None
 
 
@@ -168,7 +170,7 @@ class Results(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        panels.open_results(active_document().Name, _wireframe())
+        open_results(active_document().Name, _wireframe())
 
 
 class RodInfo(Command):

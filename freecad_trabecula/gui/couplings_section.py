@@ -12,7 +12,8 @@ from PySide import QtCore, QtGui
 from ..core.couplings import CouplingRow
 from ..core.parameters import Coupling, PathParameters
 from ..core.sites import OPPOSITE_FACES, PRISM_FACES
-from .fields import Changed, ChoiceField, Form, row_widget
+from .fields import Changed, ChoiceField, row_widget
+from .form import Form
 from .paths_section import PathsSection, paths_summary
 from .qt import Buttons, run_dialog, small_button
 from .transactions import told

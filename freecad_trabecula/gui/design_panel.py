@@ -13,7 +13,7 @@ from .. import make
 from ..core.job import Job
 from ..core.presets import preset
 from ..errors import TrabeculaError
-from . import panels
+from ..features.relations import products_of
 from .build_bar import BuildBar
 from .building import MAKERS, Building, Listener, Target, Writing
 from .design_envelope import DesignEnvelope
@@ -23,9 +23,9 @@ from .picking import FacePicker
 from .preview import Preview
 from .preview_worker import Estimate, Outline, PreviewWorker, Request
 from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
+from .results_panel import open_results
 from .transactions import told
 from .transparency import ClearView
-from .view_providers import products_of
 
 translate = FreeCAD.Qt.translate
 WIDTH = 400  # pixels that the form needs
@@ -310,7 +310,7 @@ class DesignPanel:
         self._clear_view.forget()
         self._leave()
         FreeCADGui.Control.closeDialog()
-        invoke_later(lambda: panels.open_results(name))
+        invoke_later(lambda: open_results(name))
 
     def _not_built(self, error: TrabeculaError) -> None:
         self._building = None

@@ -12,10 +12,10 @@ import FreeCAD
 from .. import make
 from ..errors import Cancelled, TrabeculaError
 from ..features import results
+from ..features.relations import type_of
 from .child_work import ChildWork, task_work
 from .recomputing import WorkBar
 from .transactions import record, told, transaction
-from .view_providers import type_of
 
 _works: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
 

@@ -11,6 +11,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ..errors import ParameterError
+from ..features.relations import parts_of
 from ..geometry.files import (
     MESH_FORMATS,
     SHAPE_FORMATS,
@@ -22,7 +23,6 @@ from ..geometry.files import (
 from ..geometry.mesh_objects import core_mesh
 from .qt import Buttons, run_dialog
 from .transactions import say
-from .view_providers import parts_of
 
 translate = FreeCAD.Qt.translate
 _SAME = {"stp", "brp", "igs"}  # other words for formats that are offered already

@@ -11,7 +11,8 @@ from PySide import QtCore, QtGui
 
 from ..core.parameters import FaceParameters, Point
 from ..errors import ParameterError
-from .fields import Changed, Form, row_widget
+from .fields import Changed, row_widget
+from .form import Form
 from .qt import small_button
 
 translate = FreeCAD.Qt.translate

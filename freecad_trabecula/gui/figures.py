@@ -11,7 +11,7 @@ import FreeCAD
 from .. import make
 from ..core.report import manual_seconds
 from ..features.network import MOST_DIFFERENCE
-from .view_providers import products_of
+from ..features.relations import products_of
 
 translate = FreeCAD.Qt.translate
 #: A check as ``core.bodies.Check`` writes it.

@@ -10,9 +10,9 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..features.relations import type_of
 from .qt import icon
 from .slice_view import SlicePlane
-from .view_providers import type_of
 
 HEIGHT = 330  # pixels at which diagrams can be read
 

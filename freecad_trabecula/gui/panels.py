@@ -5,27 +5,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, List, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 import FreeCAD
-import FreeCADGui
 
 from ..core.job import Job, job_from_json
 from ..core.presets import preset
 from ..errors import ExportError
 from ..features.jobs import job_of
+from ..features.relations import products_of, type_of, wireframe_of
+from .results_panel import open_results
+from .task_panels import current, is_free, show_panel
 from .transactions import say, told
-from .view_providers import products_of, type_of, wireframe_of
 
 translate = FreeCAD.Qt.translate
-
-
-def is_free() -> bool:
-    """Return whether no task panel is open; else say so in the status bar."""
-    if FreeCADGui.Control.activeDialog():
-        say(translate("Trabecula", "Close the open task panel first"))
-        return False
-    return True
 
 
 def open_for(document: str, name: str) -> None:
@@ -120,29 +113,6 @@ def read_job(path: str) -> Job:
     return replace(job, envelope=str(beside)) if job.envelope and beside.is_file() else job
 
 
-_panel: List[Any] = []
-
-
-def current() -> Any:
-    """Return the panel that was opened last."""
-    return _panel[-1]
-
-
-def show_panel(panel: Any) -> None:
-    """Open a task panel and remember it."""
-    _panel[:] = [panel]
-    FreeCADGui.Control.showDialog(panel)
-
-
-def open_results(document: str, wireframe: Any = None) -> None:
-    """Open the results of a design: that of the selection, or the last one of the document."""
-    from .results_panel import ResultsPanel
-
-    if document in FreeCAD.listDocuments() and is_free():
-        found = wireframe or wireframes(FreeCAD.getDocument(document))[-1]
-        show_panel(ResultsPanel(found))
-
-
 def open_analysis(document: Any, obj: Any = None, source: Any = None) -> None:
     """Open the panel of slice analyses: for one that is there, or for a new one of a source."""
     from .analysis_panel import AnalysisPanel
@@ -159,10 +129,3 @@ def open_voxels(document: Any, obj: Any = None, source: Any = None) -> None:
     if is_free():
         with told():
             show_panel(VoxelPanel(document, obj, source))
-
-
-def wireframes(document: Any) -> list:
-    """Return the wireframes of a document, those to which the selection belongs last."""
-    every = [obj for obj in document.Objects if type_of(obj) == "Trabecula::Wireframe"]
-    chosen = [wireframe_of(obj) for obj in FreeCADGui.Selection.getSelection(document.Name)]
-    return sorted(every, key=lambda one: one in chosen)

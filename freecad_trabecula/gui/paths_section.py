@@ -9,7 +9,8 @@ import FreeCAD
 from PySide import QtGui
 
 from ..core.parameters import PathParameters, Point
-from .fields import Changed, Form, PointField, row_widget
+from .fields import Changed, PointField, row_widget
+from .form import Form
 from .pores_section import law_text
 from .qt import small_button
 

@@ -7,7 +7,8 @@ import FreeCAD
 
 from ..core.laws import Law
 from ..core.parameters import PoreParameters
-from .fields import Changed, Form
+from .fields import Changed
+from .form import Form
 
 translate = FreeCAD.Qt.translate
 

@@ -9,7 +9,8 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from ..core.parameters import PrismParameters
-from .fields import Changed, Field, field_for
+from .fields import Changed, Field
+from .form import field_for
 
 translate = FreeCAD.Qt.translate
 

@@ -18,10 +18,10 @@ from ..features.analysis import Analysis
 from ..features.feature import is_a
 from ..features.jobs import job_of
 from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
+from ..features.relations import wireframe_of
 from ..features.voxel_design import VoxelDesign
 from .child_work import ChildWork, Progress, task_work, time_text
 from .qt import invoke_later
-from .view_providers import wireframe_of
 
 translate = FreeCAD.Qt.translate
 Owner = Tuple[str, str]  # names of document and wireframe, or analysis, or voxel design

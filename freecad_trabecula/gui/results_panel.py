@@ -13,14 +13,16 @@ from PySide import QtCore, QtGui
 from ..core.couplings import CouplingRow
 from ..core.wireframe import Recovery
 from ..features.base import records_of
+from ..features.relations import parts_of, products_of
 from .accordion import Accordion
 from .export_dialog import export_design
 from .figures import Checked, checks_of, figures_of, headline, notes_of
 from .histogram import Histogram
+from .looks import look_of
 from .outcome import GREEN, ORANGE, RED
 from .qt import Buttons, PanelForm, flags_of, icon, invoke_later, widen_dock
+from .task_panels import is_free, show_panel, wireframes
 from .transactions import told
-from .view_providers import look_of, parts_of, products_of
 
 translate = FreeCAD.Qt.translate
 WIDTH = 420  # pixels that the form needs
@@ -190,3 +192,10 @@ def check_text(row: Checked) -> str:
     """Return a check as HTML: green if it holds, red if not."""
     sign, colour = ("✓", GREEN) if row.ok else ("✗", RED)
     return f'<p style="margin:3px"><b style="color:{colour}">{sign} {escape(row.name)}</b><br>{escape(row.found)}</p>'
+
+
+def open_results(document: str, wireframe: Any = None) -> None:
+    """Open the results of a design: that of the selection, or the last one of the document."""
+    if document in FreeCAD.listDocuments() and is_free():
+        found = wireframe or wireframes(FreeCAD.getDocument(document))[-1]
+        show_panel(ResultsPanel(found))

@@ -12,8 +12,8 @@ from PySide import QtCore, QtGui
 
 from ..core.wireframe import Wireframe
 from ..errors import TrabeculaError
+from ..features.relations import type_of, wireframe_of
 from .qt import icon
-from .view_providers import type_of, wireframe_of
 
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaRodDock"

@@ -10,7 +10,8 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from ..core.parameters import LayerParameters, RodParameters, ScaffoldParameters
-from .fields import Changed, Form
+from .fields import Changed
+from .form import Form
 
 translate = FreeCAD.Qt.translate
 

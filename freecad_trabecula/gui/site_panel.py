@@ -11,13 +11,14 @@ import numpy as np
 from PySide import QtGui
 
 from ..core.wireframe import Wireframe
+from ..features.relations import type_of, wireframe_of
 from .edits_list import EditsList
 from .fields import ChoiceField, NumberField, PointField
 from .pore_drawing import PoreDrawing
 from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
 from .rod_dock import computed_wireframe
+from .task_panels import is_free, show_panel
 from .transactions import record, say, told, transaction
-from .view_providers import type_of, wireframe_of
 
 translate = FreeCAD.Qt.translate
 WIDTH = 340  # pixels that the form needs
@@ -216,8 +217,6 @@ def components(angles: np.ndarray) -> List[float]:
 
 def open_site_panel(obj: Any) -> None:
     """Open the panel for the design to which an object belongs."""
-    from .panels import is_free, show_panel
-
     wireframe = wireframe_of(obj) if type_of(obj) else None
     if wireframe is None:
         say(translate("Trabecula", "Select a wireframe or its sites first"))

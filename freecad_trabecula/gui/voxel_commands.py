@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..features.relations import type_of
 from . import panels
 from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
 from .layer_dialog import ask_and_make
-from .view_providers import type_of
 from .voxel_dock import KIND, show_layers, voxel_dock
 from .voxel_export import export_voxels
 from .voxel_panel import is_sample

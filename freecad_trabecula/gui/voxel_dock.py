@@ -15,6 +15,7 @@ from ..core.voxels.sources import MESHES
 from ..core.voxels.targets import AXES
 from ..core.voxels.volume_sources import VOLUMES
 from ..errors import TrabeculaError
+from ..features.relations import type_of
 from ..features.voxel_design import design_at_hand
 from .chart import Chart, Diagram
 from .fields import row_widget
@@ -23,7 +24,6 @@ from .object_choice import ObjectChoice
 from .object_dock import ObjectDock
 from .recomputing import of_window
 from .slice_view import plane_corners
-from .view_providers import type_of
 from .voxel_layers import DESIGN, KINDS, SAMPLE, Layers, layer_of, pixel_of
 
 translate = FreeCAD.Qt.translate

@@ -13,7 +13,8 @@ from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.registry import find_strategy, strategy_names
 from ..features.voxel_design import SURFACES
 from .accordion import Accordion
-from .fields import ChoiceField, Form, NumberField, row_widget
+from .fields import ChoiceField, NumberField, row_widget
+from .form import Form
 from .object_choice import ObjectChoice
 from .qt import icon, small_button
 

@@ -11,11 +11,11 @@ from .. import make
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError, TrabeculaError
 from ..features.base import read_parameters
+from ..features.relations import type_of
 from ..features.tasks import write_voxel_task
 from ..features.voxel_design import VoxelDesign, inputs_of
 from .analysis_form import is_sliceable
 from .document_work import Order, write_step
-from .view_providers import type_of
 from .voxel_dock import show_layers
 from .voxel_form import VoxelForm
 from .work_panel import WorkPanel

@@ -18,6 +18,7 @@ from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.features import results
 from freecad_trabecula.features.on_demand import COMPUTING
+from freecad_trabecula.features.relations import type_of
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.analysis_dock import KIND, dock_of_window, show_analyses
 from freecad_trabecula.gui.analysis_plots import KINDS, diagram_of
@@ -25,7 +26,6 @@ from freecad_trabecula.gui.analysis_saving import save
 from freecad_trabecula.gui.chart import nice_steps
 from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.slice_view import PLATE, ROD, plane_corners
-from freecad_trabecula.gui.view_providers import type_of
 
 COARSE = SliceParameters(thickness=0.5)
 

@@ -24,7 +24,8 @@ from freecad_trabecula.core.presets import PRESETS, preset
 from freecad_trabecula.errors import ParameterError
 from freecad_trabecula.gui.design_form import IN_DOCUMENT, Callbacks, DesignForm, Envelope
 from freecad_trabecula.gui.faces_section import FacesSection
-from freecad_trabecula.gui.fields import NumberField, field_for
+from freecad_trabecula.gui.fields import NumberField
+from freecad_trabecula.gui.form import field_for
 from freecad_trabecula.gui.law_field import LawField
 from freecad_trabecula.gui.pore_drawing import PoreDrawing
 from freecad_trabecula.gui.site_panel import components

@@ -12,10 +12,12 @@ from window import WindowTest, settle
 
 from freecad_trabecula import make
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.features.relations import parts_of, products_of, wireframe_of
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.child_work import console_program
+from freecad_trabecula.gui.looks import LOOKS
 from freecad_trabecula.gui.rod_dock import RodDock, rod_facts
-from freecad_trabecula.gui.view_providers import LOOKS, ViewProvider, parts_of, products_of, wireframe_of
+from freecad_trabecula.gui.view_providers import ViewProvider
 
 ROOT = Path(__file__).resolve().parents[2]
 HEADLESS = """

@@ -20,10 +20,10 @@ from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names
 from freecad_trabecula.errors import ExportError, ParameterError
 from freecad_trabecula.features import results
+from freecad_trabecula.features.relations import type_of
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.layer_dialog import LayerDialog, make_shapes
-from freecad_trabecula.gui.view_providers import type_of
 from freecad_trabecula.gui.voxel_dock import KIND, show_layers, voxel_dock
 from freecad_trabecula.gui.voxel_export import VoxelExportDialog, write_images, write_voxels
 from freecad_trabecula.gui.voxel_layers import DESIGN, KINDS
