@@ -7,7 +7,7 @@ By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_
 ``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
 ``estimate_voxel_design``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``, ``make_layer_shapes``.
-In another process: ``write_task``, ``run_task``, ``take_results``.
+All as lines of Python: ``design_as_script``. In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -43,6 +43,7 @@ from .features.makers import (
 )
 from .features.network import rod_at
 from .features.scaffold import bodies_of
+from .features.scripts import design_as_script, named_body
 from .features.tasks import run_task, take_results, write_task
 from .features.voxel_design import voxel_design_of
 from .features.voxel_makers import (
@@ -67,6 +68,7 @@ __all__ = [
     "compare_analyses",
     "contours_of",
     "default_parameters",
+    "design_as_script",
     "edits_of",
     "estimate_voxel_design",
     "exact_slices",
@@ -85,6 +87,7 @@ __all__ = [
     "make_voxel_design",
     "make_wireframe",
     "move_site",
+    "named_body",
     "passport_of",
     "rod_at",
     "run_task",

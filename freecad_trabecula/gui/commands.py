@@ -26,6 +26,7 @@ from .qt import icon_path
 from .results_panel import open_results
 from .rod_dock import toggle_dock
 from .site_panel import open_site_panel
+from .study_commands import COMMANDS as STUDY_COMMANDS
 from .task_panels import wireframes
 from .transactions import say, transaction
 from .voxel_commands import COMMANDS as VOXEL_COMMANDS
@@ -257,7 +258,8 @@ TOOLBAR = (
     *("Trabecula_Network", "Trabecula_Scaffold", "Trabecula_Switch", "Trabecula_RodInfo", ""),
     *("Trabecula_Results", "Trabecula_Export", "Trabecula_OpenJob", "Trabecula_SaveJob", ""),
     *("Trabecula_Analysis", "Trabecula_AnalyseNow", "Trabecula_Plots", "Trabecula_Compare", ""),
-    *("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_LayerShapes", "Trabecula_VoxelExport"),
+    *("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_LayerShapes", "Trabecula_VoxelExport", ""),
+    *("Trabecula_CopyScript",),
 )
 
 
@@ -265,7 +267,7 @@ def register(workbench: Any) -> None:
     """Register all commands and give the workbench its toolbar and its menu."""
     kinds = (DesignRods, FaceSitesCommand, EditSite, BuildNetwork, BuildScaffold, SwitchView)
     commands = [kind() for kind in (*kinds, RodInfo, Results, Export, OpenJob, SaveJob)]
-    commands += [kind() for kind in (*ANALYSIS_COMMANDS, *VOXEL_COMMANDS)]
+    commands += [kind() for kind in (*ANALYSIS_COMMANDS, *VOXEL_COMMANDS, *STUDY_COMMANDS)]
     commands += [LoadPreset(name) for name in PRESETS] + [Presets()]
     for command in commands:
         FreeCADGui.addCommand(command.NAME, command)
