@@ -7,15 +7,13 @@ from typing import Any, List
 
 import FreeCAD
 
-from ..errors import ParameterError
 from ..features.relations import type_of
 from . import panels
 from .analysing import analyse_at_once
 from .analysis_dock import dock_of_window, show_analyses
 from .analysis_form import is_sliceable
-from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
+from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
 from .document_work import is_busy
-from .transactions import say
 
 translate = FreeCAD.Qt.translate
 KIND = "Trabecula::Analysis"
@@ -24,8 +22,9 @@ KIND = "Trabecula::Analysis"
 class AnalyseSlices(PanelCommand):
     """Opens the panel of slice analyses: for the selected analysis or body, or for a new one."""
 
-    NAME, ICON, NEEDS = "Trabecula_Analysis", "Trabecula_analysis", ""
-    TEXT, TIP = "Slice analysis", "Slice a mesh, a solid, a design or a file, and measure every slice"
+    NAME, ICON = "Trabecula_Analysis", "Trabecula_analysis"
+    TEXT, KEYS = "Slice analysis", "T, A"
+    TIP = "Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file"
 
     def run(self, index: int) -> None:
         """Open the panel."""
@@ -37,29 +36,35 @@ class AnalyseSlices(PanelCommand):
 class AnalyseNow(Command):
     """Analyses the selected body at once."""
 
-    NAME, ICON, NEEDS = "Trabecula_AnalyseNow", "Trabecula_analyse_now", "document"
-    TEXT, TIP = "Analyse at once", "Slice the selected network, scaffold, mesh or solid, and show the plots"
+    NAME, ICON, NEEDS = "Trabecula_AnalyseNow", "Trabecula_analyse_now", ("document",)
+    TEXT, TIP = (
+        "Analyse at once",
+        "Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid",
+    )
+    KEYS = "T, Q"
 
-    def IsActive(self) -> bool:
-        """Return whether something is selected."""
-        return super().IsActive() and bool(selected_objects())
+    def reason(self) -> str:
+        """Return why not: a body must be selected, and one analysis is made at a time."""
+        without = super().reason()
+        if not without and is_busy():
+            without = translate("Trabecula", "an analysis is on its way already")
+        if not without and not _bodies():
+            without = translate("Trabecula", "select a network, a scaffold, a mesh or a solid")
+        return without
 
     def run(self, index: int) -> None:
         """Start the work."""
-        bodies = [obj for obj in selected_objects() if is_sliceable(obj)]
-        if not bodies:
-            raise ParameterError("what is sliced must be a mesh or a solid, got none: select one")
-        if is_busy():
-            say(translate("Trabecula", "An analysis is on its way already"))
-            return
-        analyse_at_once(bodies[0], lambda obj: show_analyses([obj]))
+        analyse_at_once(_bodies()[0], lambda obj: show_analyses([obj]))
 
 
 class ShowPlots(Command):
     """Shows the dock of slice analyses."""
 
-    NAME, ICON, NEEDS = "Trabecula_Plots", "Trabecula_plots", ""
-    TEXT, TIP = "Slices and plots", "Show or hide the profiles of slice analyses and the slice under the cursor"
+    NAME, ICON = "Trabecula_Plots", "Trabecula_plots"
+    TEXT, KEYS = "Slices and plots", "T, P"
+    TIP = (
+        "Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown"
+    )
 
     def run(self, index: int) -> None:
         """Show or hide it."""
@@ -73,21 +78,26 @@ class ShowPlots(Command):
 class CompareAnalyses(Command):
     """Shows two or more analyses on shared axes."""
 
-    NAME, ICON, NEEDS = "Trabecula_Compare", "Trabecula_compare", "document"
-    TEXT, TIP = "Compare analyses", "Show the selected analyses, or all, on shared axes, and how near they are"
+    NAME, ICON, NEEDS = "Trabecula_Compare", "Trabecula_compare", ("analysis",)
+    TEXT, TIP = (
+        "Compare analyses",
+        "Show two or more analyses on shared axes, and how near they are. Select them, or none for all",
+    )
+    KEYS = "T, C"
 
-    def IsActive(self) -> bool:
-        """Return whether there are two analyses."""
-        return super().IsActive() and len(_analyses()) > 1
+    def reason(self) -> str:
+        """Return why not: one alone has nothing beside it."""
+        alone = "" if len(objects_of(KIND)) > 1 else translate("Trabecula", "there is only one analysis")
+        return super().reason() or alone
 
     def run(self, index: int) -> None:
         """Show them."""
         chosen = [obj for obj in selected_objects() if type_of(obj) == KIND]
-        show_analyses(chosen if len(chosen) > 1 else _analyses())
+        show_analyses(chosen if len(chosen) > 1 else objects_of(KIND))
 
 
-def _analyses() -> List[Any]:
-    return [obj for obj in active_document().Objects if type_of(obj) == KIND]
+def _bodies() -> List[Any]:
+    return [obj for obj in selected_objects() if is_sliceable(obj)]
 
 
 #: In the order of toolbar and menu.

@@ -16,21 +16,12 @@ from .transactions import say
 translate = FreeCAD.Qt.translate
 
 
-class OfOurs(Command):
-    """A command that needs something of ours in the document."""
-
-    NEEDS = "document"
-
-    def IsActive(self) -> bool:
-        """Return whether there is something."""
-        return super().IsActive() and any(type_of(obj) for obj in active_document().Objects)
-
-
-class CopyScript(OfOurs):
+class CopyScript(Command):
     """Puts the Python that makes the design again onto the clipboard."""
 
-    NAME, ICON = "Trabecula_CopyScript", "Trabecula_copy_script"
-    TEXT, TIP = "Copy as script", "Copy the Python that makes the selected design, or all of the document, again"
+    NAME, ICON, NEEDS = "Trabecula_CopyScript", "Trabecula_copy_script", ("ours",)
+    TEXT, KEYS = "Copy as script", "T, Y"
+    TIP = "Copy the Python that makes it again. Select a design or an analysis, or nothing for all of the document"
 
     def run(self, index: int) -> None:
         """Write the script and copy it."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..features.relations import type_of
 from . import panels
-from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
+from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
 from .layer_dialog import ask_and_make
 from .voxel_dock import KIND, show_layers, voxel_dock
 from .voxel_export import export_voxels
@@ -17,15 +17,17 @@ from .voxel_panel import is_sample
 def _design() -> Any:
     """The voxel design that is selected, else the document's latest; None if there is none."""
     chosen = [obj for obj in selected_objects() if type_of(obj) == KIND]
-    every = [obj for obj in active_document().Objects if type_of(obj) == KIND] if active_document() else []
-    return (chosen or every[-1:] or [None])[0]
+    return (chosen or objects_of(KIND)[-1:] or [None])[0]
 
 
 class DesignVoxels(PanelCommand):
     """Opens the panel of voxel designs: for the selected design, or for a new one of the selected sample."""
 
-    NAME, ICON, NEEDS = "Trabecula_Voxels", "Trabecula_voxels", ""
-    TEXT, TIP = "Design voxels", "Design voxels with the sliced areas of a body or an analysis along X, Y and Z"
+    NAME, ICON = "Trabecula_Voxels", "Trabecula_voxels"
+    TEXT, KEYS = "Design voxels", "T, V"
+    TIP = (
+        "Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design"
+    )
 
     def run(self, index: int) -> None:
         """Open the panel."""
@@ -37,8 +39,11 @@ class DesignVoxels(PanelCommand):
 class ShowLayers(Command):
     """Shows the dock of voxel layers."""
 
-    NAME, ICON, NEEDS = "Trabecula_VoxelLayers", "Trabecula_layers", ""
-    TEXT, TIP = "Voxel layers", "Show or hide the layers of sample and design side by side, with their counts"
+    NAME, ICON = "Trabecula_VoxelLayers", "Trabecula_layers"
+    TEXT, KEYS = "Voxel layers", "T, L"
+    TIP = (
+        "Show or hide the layers of sample and design with their counts. Select a voxel design, or nothing for the last"
+    )
 
     def run(self, index: int) -> None:
         """Show or hide it."""
@@ -48,32 +53,24 @@ class ShowLayers(Command):
             show_layers(_design())
 
 
-class OfDesign(Command):
-    """A command that needs a voxel design."""
-
-    NEEDS = "document"
-
-    def IsActive(self) -> bool:
-        """Return whether there is one."""
-        return super().IsActive() and _design() is not None
-
-
-class LayerShapes(OfDesign):
+class LayerShapes(Command):
     """Makes wires or solids of layers."""
 
-    NAME, ICON = "Trabecula_LayerShapes", "Trabecula_layer_shapes"
-    TEXT, TIP = "Layer shapes", "Outlines of a range of layers as wires, or the layers as solids, after an estimate"
+    NAME, ICON, NEEDS = "Trabecula_LayerShapes", "Trabecula_layer_shapes", ("voxels",)
+    TEXT, KEYS = "Layer shapes", "T, H"
+    TIP = "Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several"
 
     def run(self, index: int) -> None:
         """Ask for the layers and make them."""
         ask_and_make(_design())
 
 
-class ExportVoxels(OfDesign):
+class ExportVoxels(Command):
     """Writes a voxel design into files."""
 
-    NAME, ICON = "Trabecula_VoxelExport", "Trabecula_voxel_export"
-    TEXT, TIP = "Export voxels", "Write mesh, voxels or images of the layers; sizes are shown first"
+    NAME, ICON, NEEDS = "Trabecula_VoxelExport", "Trabecula_voxel_export", ("voxels",)
+    TEXT, KEYS = "Export voxels", "T, W"
+    TIP = "Write mesh, voxels or images of layers; sizes are shown first. Needs a voxel design; select one of several"
 
     def run(self, index: int) -> None:
         """Ask for a file and write it."""

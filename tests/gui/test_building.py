@@ -10,9 +10,9 @@ from window import Heartbeat, WindowTest, settle, wait
 from freecad_trabecula.core.parameters import Coupling
 from freecad_trabecula.features import results
 from freecad_trabecula.gui import panels
-from freecad_trabecula.gui.commands import switch_view
 from freecad_trabecula.gui.figures import checks_of
 from freecad_trabecula.gui.results_panel import ResultsPanel
+from freecad_trabecula.gui.rod_commands import switch_view
 
 
 def tick(panel, *kinds):

@@ -14,27 +14,43 @@ from window import WindowTest, wait
 
 from freecad_trabecula import make
 from freecad_trabecula.core.job import job_from_json
-from freecad_trabecula.core.presets import PRESETS, preset
+from freecad_trabecula.core.presets import preset
 from freecad_trabecula.errors import ParameterError
-from freecad_trabecula.gui import commands, export_dialog, install, panels, transactions
+from freecad_trabecula.gui import commands, export_dialog, install, panels, rod_commands, transactions
 from freecad_trabecula.gui.child_work import time_text
 
-SINGLE = [name for name in commands.TOOLBAR if name and name != "Trabecula_Presets"]
+PLACED = [name for _, _, names in commands.GROUPS for name in names if name]
 
 
 class CommandTest(WindowTest):
     def test_every_command_has_a_text_a_tooltip_and_an_icon(self):
-        for name in [*SINGLE, *("Trabecula_Preset_" + preset_name for preset_name in PRESETS)]:
+        for name in commands.COMMANDS:
             with self.subTest(command=name):
                 info = FreeCADGui.Command.get(name).getInfo()
                 self.assertTrue(info["menuText"] and info["toolTip"])
                 self.assertTrue(os.path.isfile(info["pixmap"]))
 
-    def test_the_toolbar_and_the_menu_hold_the_commands(self):
+    def test_every_tooltip_says_what_must_be_selected_or_be_there(self):
+        for name, command in commands.COMMANDS.items():
+            with self.subTest(command=name):
+                self.assertRegex(command.TIP, "(Select|Needs) ")
+
+    def test_every_command_has_its_place_and_no_two_have_the_same_keys(self):
+        self.assertEqual(len(PLACED), len(set(PLACED)))
+        of_group = commands.COMMANDS["Trabecula_Presets"].GetCommands()
+        self.assertEqual({*PLACED, *of_group}, set(commands.COMMANDS))
+        keys = [command.KEYS for command in commands.COMMANDS.values() if command.KEYS]
+        self.assertEqual(len(keys), len(set(keys)))
+
+    def test_the_toolbars_and_the_menu_hold_the_commands_in_the_order_of_work(self):
         window = FreeCADGui.getMainWindow()
-        bar = window.findChild(QtGui.QToolBar, "Trabecula")
-        self.assertGreaterEqual(len([one for one in bar.actions() if not one.isSeparator()]), len(SINGLE))
-        self.assertIn("Trabecula", [one.text().replace("&", "") for one in window.menuBar().actions()])
+        menus = {menu.title(): menu for menu in window.menuBar().findChildren(QtGui.QMenu)}
+        self.assertIn("&Trabecula", menus)
+        for title, submenu, names in commands.GROUPS:
+            texts = [commands.COMMANDS[name].TEXT for name in names if name]
+            for place in (window.findChild(QtGui.QToolBar, title), menus[submenu]):
+                found = [one.text().replace("&", "") for one in place.actions() if not one.isSeparator()]
+                self.assertEqual([text for text in found if text in texts], texts)
 
     def test_without_a_design_only_what_makes_one_can_be_used(self):
         self.assertTrue(FreeCADGui.Command.get("Trabecula_Design").isActive())
@@ -45,6 +61,7 @@ class CommandTest(WindowTest):
         self.open_preset("case1")
         for name in ("Trabecula_Design", "Trabecula_OpenJob", "Trabecula_Preset_case2"):
             self.assertFalse(FreeCADGui.Command.get(name).isActive(), name)
+            self.assertEqual(commands.COMMANDS[name].reason(), "close the open task panel first")
 
     def test_without_a_document_a_preset_makes_one(self):
         FreeCAD.closeDocument(self.document.Name)
@@ -59,10 +76,41 @@ class CommandTest(WindowTest):
         self.assertEqual(panel.wireframe.Name, "Wireframe")
         self.assertEqual(panel.fields.job().pores, preset("case2").pores)
 
-    def test_sites_on_faces_without_a_selected_solid_says_so_and_opens_nothing(self):
-        FreeCADGui.runCommand("Trabecula_FaceSites")
-        self.assertFalse(FreeCADGui.Control.activeDialog())
-        self.assertIn("Select a solid", FreeCADGui.getMainWindow().statusBar().currentMessage())
+    def test_a_command_that_cannot_be_used_says_why_and_no_longer_when_it_can(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        cases = (
+            ("Trabecula_FaceSites", "select a solid"),
+            ("Trabecula_AnalyseNow", "select a network, a scaffold, a mesh or a solid"),
+        )
+        for name, sentence in cases:
+            with self.subTest(command=name):
+                FreeCADGui.Selection.clearSelection()
+                command = FreeCADGui.Command.get(name)
+                action = command.getAction()[0]
+                self.assertFalse(command.isActive())
+                for words in (action.toolTip(), action.statusTip()):
+                    self.assertIn("Not now: " + sentence, words)
+                FreeCADGui.Selection.addSelection(box)
+                self.assertTrue(command.isActive())
+                for words in (action.toolTip(), action.statusTip()):
+                    self.assertNotIn("Not now", words)
+                    self.assertIn(commands.COMMANDS[name].TIP[:40], words)  # FreeCAD breaks lines
+
+    def test_each_reason_names_what_is_missing(self):
+        reasons = {
+            "Trabecula_Scaffold": "there is no design of rods yet",
+            "Trabecula_Compare": "there is no analysis yet",
+            "Trabecula_VoxelExport": "there is no voxel design yet",
+            "Trabecula_Design": "",
+        }
+        for name, reason in reasons.items():
+            self.assertEqual(commands.COMMANDS[name].reason(), reason)
+        make.make_design(self.document, preset("case1"))
+        self.assertEqual(commands.COMMANDS["Trabecula_Switch"].reason(), "build a scaffold first")
+        self.assertEqual(commands.COMMANDS["Trabecula_Export"].reason(), "build a scaffold or a network first")
+        FreeCAD.closeDocument(self.document.Name)
+        self.assertEqual(commands.COMMANDS["Trabecula_FaceSites"].reason(), "no document is open")
 
     def test_building_from_the_toolbar_builds_and_opens_the_results(self):
         make.make_design(self.document, preset("case1"))
@@ -74,7 +122,7 @@ class CommandTest(WindowTest):
     def test_channels_before_a_scaffold_are_refused(self):
         design = make.make_design(self.document, preset("case1"))
         with self.assertRaisesRegex(ParameterError, "build the scaffold first"):
-            commands.switch_view(design.wireframe)
+            rod_commands.switch_view(design.wireframe)
 
     def test_what_a_panel_does_can_be_run_as_a_macro(self):
         lines = []
