@@ -3,7 +3,7 @@
 """Trabecular designs of real bone, seed after seed: exact, parts, cavities, contacts, trabeculae, CPU seconds.
 
     python3 tools/voxel_runs.py seeds [--seeds 20] [--contacts edge] [--trabeculae off] [--pictures DIR]
-    python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled
+    python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled; by all strategies
     python3 tools/voxel_runs.py growth --edges 50 100 200
 
 Samples are the shrew cube and the human bone at 0.1 mm. Times are CPU seconds of one thread; the texture is fitted once
@@ -17,6 +17,7 @@ import os
 import resource
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -25,6 +26,7 @@ sys.path.insert(0, str(ROOT))
 
 import numpy as np  # noqa: E402
 
+from freecad_trabecula.core.progress import silent  # noqa: E402
 from freecad_trabecula.core.stl import read_triangles  # noqa: E402
 from freecad_trabecula.core.voxels.connectivity import (  # noqa: E402
     closed_cavities,
@@ -34,6 +36,7 @@ from freecad_trabecula.core.voxels.connectivity import (  # noqa: E402
 )  # fmt: skip
 from freecad_trabecula.core.voxels.masks import main_part, targets_within  # noqa: E402
 from freecad_trabecula.core.voxels.parameters import VoxelParameters  # noqa: E402
+from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names  # noqa: E402
 from freecad_trabecula.core.voxels.sources import mask_of_triangles, read_targets  # noqa: E402
 from freecad_trabecula.core.voxels.strategies import trabecular  # noqa: E402
 from freecad_trabecula.core.voxels.targets import Targets  # noqa: E402
@@ -48,7 +51,7 @@ SAMPLES = {"shrew": "shrew_cube_10mm.stl", "human": "trab_ior_10mm_13MB.stl"}
 def made(targets, parameters, mask=None):
     """Return a design and its CPU seconds."""
     start = time.process_time()
-    voxels = trabecular.design(targets, parameters, mask)
+    voxels = find_strategy(parameters.strategy).design(targets, parameters, mask, silent)
     return voxels, time.process_time() - start
 
 
@@ -123,6 +126,7 @@ def masks(options):
     for density in (0.1, 0.3, 0.6):
         targets = targets_within(ball, (density,) * 3)
         line(f"sphere at {density:g}", *_filled(targets, parameters, ball))
+    _by_tables("sphere at 0.3", targets_within(ball, (0.3,) * 3), VoxelParameters(), ball, options)
     femur = 1000.0 * read_triangles(options.data / "anatomy" / "FemurR.stl").astype(float)  # the file is in metres
     corners = femur.reshape(-1, 3)
     long = int(np.argmax(np.ptp(corners, 0)))
@@ -135,6 +139,19 @@ def masks(options):
     targets = targets_within(mask, (0.3,) * 3, (size,) * 3, box.origin)
     parameters = VoxelParameters(size=size, wavelength=8 * size)
     line(f"femur, upper 60 mm, {mask.sum()} cells of {size} mm", *_filled(targets, parameters, mask))
+    _by_tables("femur", targets, parameters, mask, options)
+
+
+def _by_tables(name, targets, parameters, mask, options):
+    """Fill a mask by every strategy of tables."""
+    designs = []
+    for strategy in strategy_names():
+        if "pairing" in find_strategy(strategy).OPTIONS:
+            filled = _filled(targets, replace(parameters, strategy=strategy), mask)
+            line(f"{name}, {strategy}", *filled)
+            designs.append(filled[0])
+    if options.pictures:
+        picture(options.pictures / f"{name.split()[0]}-tables.png", [mask, *designs])
 
 
 def _filled(targets, parameters, mask):

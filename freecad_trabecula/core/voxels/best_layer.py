@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+from typing import Optional
+
 import numpy as np
 
 from ...errors import DependencyError, InfeasibleError
 from ..progress import Progress, silent
 
 
-def best_layer(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray) -> np.ndarray:
+def best_layer(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray, mask: Optional[np.ndarray] = None) -> np.ndarray:
     """Return the voxels of a layer with the greatest sum of the field, ndarray of shape (M, N), bool.
 
     Parameters
@@ -19,6 +21,8 @@ def best_layer(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray) -> np.nda
         Voxels in each column.
     beta : ndarray of shape (M,), int
         Voxels in each row.
+    mask : ndarray of shape (M, N), bool, optional
+        Cells that may be solid.
 
     Raises
     ------
@@ -43,10 +47,11 @@ def best_layer(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray) -> np.nda
     except ImportError as error:
         raise DependencyError("the best layer of given tables needs scipy 1.6 or later: pip install scipy") from error
     rows, columns = field.shape
-    sums = vstack([kron(np.ones((1, rows)), eye(columns)), kron(eye(rows), np.ones((1, columns)))]).tocsr()
+    cells = np.arange(rows * columns) if mask is None else np.flatnonzero(mask)
+    sums = vstack([kron(np.ones((1, rows)), eye(columns)), kron(eye(rows), np.ones((1, columns)))]).tocsc()
     result = linprog(
-        -np.asarray(field, float).ravel(),
-        A_eq=sums,
+        -np.asarray(field, float).ravel()[cells],
+        A_eq=sums[:, cells],
         b_eq=np.concatenate([alpha, beta]).astype(float),
         bounds=(0, 1),
         method="highs-ds",
@@ -55,10 +60,18 @@ def best_layer(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray) -> np.nda
         raise InfeasibleError(
             f"no layer has these {int(np.sum(alpha))} voxels in columns and {int(np.sum(beta))} in rows"
         )
-    return result.x.reshape(rows, columns) > 0.5
+    layer = np.zeros(rows * columns, bool)
+    layer[cells] = result.x > 0.5
+    return layer.reshape(rows, columns)
 
 
-def best_layers(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray, progress: Progress = silent) -> np.ndarray:
+def best_layers(
+    field: np.ndarray,
+    alpha: np.ndarray,
+    beta: np.ndarray,
+    progress: Progress = silent,
+    mask: Optional[np.ndarray] = None,
+) -> np.ndarray:
     """Return the best layer of each pair, ndarray of shape (P, M, N), bool.
 
     Parameters
@@ -67,6 +80,8 @@ def best_layers(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray, progress
     alpha : ndarray of shape (N, P), int
     beta : ndarray of shape (M, P), int
     progress : callable
+    mask : ndarray of shape (P, M, N), bool, optional
+        Cells that may be solid.
 
     Raises
     ------
@@ -76,5 +91,6 @@ def best_layers(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray, progress
     voxels = np.zeros(field.shape, bool)
     for layer in range(len(field)):
         progress(layer, len(field), "best layers")
-        voxels[layer] = best_layer(field[layer], alpha[:, layer], beta[:, layer])
+        own = None if mask is None else mask[layer]
+        voxels[layer] = best_layer(field[layer], alpha[:, layer], beta[:, layer], own)
     return voxels

@@ -42,6 +42,22 @@ def main_part(mask: np.ndarray) -> np.ndarray:
     return labels == int(np.argmax(sizes))
 
 
+def allowed_voxels(counts: Sequence[np.ndarray], mask: Optional[np.ndarray]) -> Optional[np.ndarray]:
+    """Return where solid may be, (P, M, N) bool: in the mask, and in no layer that is to be empty; None is everywhere.
+
+    Parameters
+    ----------
+    counts : sequence of ndarrays (P,), (M,), (N,)
+        Voxels asked for along Z, Y, X.
+    mask : ndarray of shape (P, M, N), bool, or None
+    """
+    if mask is None and all(count.all() for count in counts):
+        return None
+    c, e, d = (count > 0 for count in counts)
+    box = c[:, None, None] & e[:, None] & d
+    return box if mask is None else box & mask
+
+
 def targets_within(
     mask: np.ndarray,
     densities: Sequence[np.ndarray],

@@ -109,6 +109,8 @@ def _start(field: np.ndarray, targets: Sequence[np.ndarray]) -> List[np.ndarray]
     """Return offsets that give the total: one number for all planes."""
     values = field.reshape(-1)[:: max(1, field.size // 50_000)]
     values = np.sort(values[values > FORBIDDEN / 2])
+    if not len(values):  # so small a mask that the samples missed it
+        values = np.sort(field[field > FORBIDDEN / 2])
     available = max(1, int(np.count_nonzero(field > FORBIDDEN / 2)))
     rank = int(len(values) * (1.0 - float(targets[0].sum()) / available))
     level = float(values[min(max(rank, 0), len(values) - 1)])

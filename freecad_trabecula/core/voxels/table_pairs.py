@@ -18,6 +18,7 @@ from ..streams import Stream
 from .exact_search import is_small, searched_design
 from .feasibility import caps_of, check_caps
 from .layer_fill import layer_sums
+from .masked_tables import masked_caps, masked_layers_exist, masked_pair
 from .parameters import VoxelParameters
 from .tables import Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table, table_errors
 from .targets import Targets
@@ -26,7 +27,7 @@ from .targets import Targets
 Wishes = Tuple[Optional[np.ndarray], Optional[np.ndarray]]
 
 #: Fields of VoxelParameters that the tables heed.
-TABLE_OPTIONS = ("cap_alpha", "cap_beta", "solver", "pairing", "tries")
+TABLE_OPTIONS = ("cap_alpha", "cap_beta", "solver", "pairing", "tries", "boundary")
 _SWITCHES = 20  # rounds of levelling switches, each of all pairs of rows
 
 
@@ -106,32 +107,41 @@ def draw_pair(
     parameters : VoxelParameters
         Solver, pairing, caps, tries, seed.
     progress : callable
-    mask : None
-        Tables know lines, not cells: a mask is refused.
+    mask : ndarray of shape (P, M, N), bool, optional
+        Cells that may be solid: each line has as many voxels at most as it has cells.
     wishes : pair of ndarrays (N, P), (M, P), optional
         Tables that alpha and beta shall be near to; only for pairs by constraint.
 
     Raises
     ------
     InfeasibleError
-        If the caps allow no table.
+        If the caps or the mask allow no table.
     ExactnessError
         If no pair was compatible in the tries allowed.
     ParameterError
-        If there is a mask.
+        If a mask is to be filled by try-and-repeat.
+    DependencyError
+        If there is a mask, and no scipy.
     """
-    if mask is not None:
-        raise ParameterError(f"strategy {parameters.strategy} fills boxes only; strategy trabecular fills a mask")
     if targets.tables is not None:
-        return given_pair(targets, parameters)
+        return given_pair(targets, parameters, mask)
+    if mask is not None:
+        return TablePair(*masked_pair(targets, parameters, mask, progress, wishes))
     stream = Stream(parameters.seed, "voxels", "tables")
     if parameters.pairing == "repeat":
         return _pair_by_repeating(targets, parameters, stream, progress)
     return _pair_by_constraint(targets, parameters, stream, progress, wishes)
 
 
-def given_pair(targets: Targets, parameters: VoxelParameters) -> TablePair:
+def given_pair(targets: Targets, parameters: VoxelParameters, mask: Optional[np.ndarray] = None) -> TablePair:
     """Return the tables that came with the targets.
+
+    Parameters
+    ----------
+    targets : Targets
+    parameters : VoxelParameters
+        Its caps.
+    mask : ndarray of shape (P, M, N), bool, optional
 
     Raises
     ------
@@ -141,16 +151,18 @@ def given_pair(targets: Targets, parameters: VoxelParameters) -> TablePair:
         If layers of the two tables are not compatible; the first is named.
     """
     alpha, beta = targets.tables or ()
-    for name, table, columns, cap in zip(("alpha", "beta"), (alpha, beta), (targets.d, targets.e),
-                                         caps_of(targets, parameters)):  # fmt: skip
+    caps = caps_of(targets, parameters) if mask is None else masked_caps(targets, parameters, mask)
+    for name, table, columns, cap in zip(("alpha", "beta"), (alpha, beta), (targets.d, targets.e), caps):
         errors = table_errors(table.T, targets.c, columns, cap)
         if errors:
             raise ParameterError(f"table {name}: {errors[0].words}; {len(errors)} sums or cells are wrong")
-    bad = np.flatnonzero(~compatible_layers(alpha, beta))
+    exist = compatible_layers(alpha, beta) if mask is None else masked_layers_exist(alpha, beta, mask)
+    bad = np.flatnonzero(~exist)
     if len(bad):
+        where = "" if mask is None else " within the mask"
         raise InfeasibleError(
-            f"the tables are not compatible in layer {bad[0]} along Z, and {len(bad)} layers in all: no voxels have "
-            "these sums in columns and rows"
+            f"the tables are not compatible in layer {bad[0]} along Z, and {len(bad)} layers in all: no voxels{where} "
+            "have these sums in columns and rows"
         )
     return TablePair(alpha, beta, 0, 0, 0)
 

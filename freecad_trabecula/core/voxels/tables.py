@@ -14,7 +14,7 @@ their transposes, (N, P) and (M, P).
 
 from __future__ import annotations
 
-from typing import List, NamedTuple, Optional
+from typing import List, NamedTuple, Optional, Union
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from ..progress import Progress, silent
 from ..streams import Stream
 from .parameters import SOLVERS
 
-_REDRAWS = 5  # of a row after which the rest has no solution; then the row that levels the rest is taken
+REDRAWS = 5  # of a row after which the rest has no solution; then the row that levels the rest is taken
 
 
 class Table(NamedTuple):
@@ -72,7 +72,9 @@ class SumError(NamedTuple):
         return f"{self.kind} {which} sums to {self.got}, asked for {self.asked}"
 
 
-def table_errors(cells: np.ndarray, rows: np.ndarray, columns: np.ndarray, cap: int) -> List[SumError]:
+def table_errors(
+    cells: np.ndarray, rows: np.ndarray, columns: np.ndarray, cap: Union[int, np.ndarray]
+) -> List[SumError]:
     """Return every row sum, column sum and cell that breaks a rule.
 
     Parameters
@@ -80,7 +82,7 @@ def table_errors(cells: np.ndarray, rows: np.ndarray, columns: np.ndarray, cap: 
     cells : ndarray of shape (rows, columns), int
     rows, columns : ndarrays of int
         Sums asked for.
-    cap : int
+    cap : int, or ndarray of shape (rows, columns)
         Most in a cell.
     """
     shape = (len(rows), len(columns))
@@ -91,9 +93,10 @@ def table_errors(cells: np.ndarray, rows: np.ndarray, columns: np.ndarray, cap: 
         SumError("column", -1, int(j), int(columns[j]), int(got_columns[j]))
         for j in np.flatnonzero(got_columns != columns)
     ]
-    for i, j in np.argwhere((cells < 0) | (cells > cap)):
-        value = int(cells[i, j])
-        errors.append(SumError("cell", int(i), int(j), cap if value > cap else 0, value))
+    caps = np.broadcast_to(cap, shape)
+    for i, j in np.argwhere((cells < 0) | (cells > caps)):
+        value, most = int(cells[i, j]), int(caps[i, j])
+        errors.append(SumError("cell", int(i), int(j), most if value > most else 0, value))
     return errors
 
 
@@ -184,7 +187,7 @@ def solve_table(
             progress(i, len(rows), "tables")
         low, high = np.maximum(rest - after[i + 1][0], 0), np.minimum(rest, ranks[i][0])
         weights = np.ones_like(rest) if solver == "thesis" else rest
-        for _ in range(_REDRAWS):
+        for _ in range(REDRAWS):
             start = low if wish is None else start_near(wish[i], int(total), low, high, stream)
             row = draw_row(int(total), start, high, weights, stream)
             if row is not None and fits(row, ranks[i]) and fits(rest - row, after[i + 1]):

@@ -59,3 +59,61 @@ def test_random_layers_are_nearly_uniform_over_all_with_their_sums():
 def test_an_order_that_is_not_known_is_refused():
     with pytest.raises(ParameterError, match="order must be one of minimum, sequential"):
         propagated_layers(np.ones((2, 1), int), np.ones((2, 1), int), "rows", "maximum")
+
+
+# ------------------------------------------------------------------------------------------------------ within a mask
+
+
+def masked_sums(mask):
+    """Column and row sums of every 0/1 matrix within a mask."""
+    places = np.argwhere(mask)
+    bits = (np.arange(2 ** len(places))[:, None] >> np.arange(len(places))) & 1
+    columns = bits @ np.eye(mask.shape[1], dtype=int)[places[:, 1]]
+    rows = bits @ np.eye(mask.shape[0], dtype=int)[places[:, 0]]
+    return {(tuple(c), tuple(r)) for c, r in zip(columns.tolist(), rows.tolist())}
+
+
+@pytest.mark.parametrize("direction", ["rows", "columns"])
+@pytest.mark.parametrize("order", ["minimum", "sequential"])
+def test_a_layer_within_a_mask_is_found_wherever_there_is_one(direction, order):
+    for seed in range(40):
+        mask = Stream(seed, "mask").many(12).reshape(3, 4) < 0.6
+        sums = sorted(masked_sums(mask))
+        alpha, beta = np.array([a for a, _ in sums]).T, np.array([b for _, b in sums]).T
+        masks = np.repeat(mask[None], len(sums), axis=0)
+        voxels = propagated_layers(alpha, beta, direction, order, mask=masks)
+        assert not (voxels & ~masks).any()
+        assert (layer_sums(voxels)[0] == alpha).all() and (layer_sums(voxels)[1] == beta).all()
+
+
+def test_a_layer_that_no_matrix_within_the_mask_has_is_refused():
+    refused = 0
+    for seed in range(15):
+        mask = Stream(seed, "mask").many(9).reshape(3, 3) < 0.6
+        exist = masked_sums(mask)
+        for alpha in itertools.product(range(3), repeat=3):
+            for beta in itertools.product(range(3), repeat=3):
+                if sum(alpha) == sum(beta) and (alpha, beta) not in exist:
+                    with pytest.raises(InfeasibleError, match="not compatible: no layer 0 along Z"):
+                        propagated_layers(np.array([alpha]).T, np.array([beta]).T, mask=mask[None])
+                    refused += 1
+    assert refused > 100
+
+
+def test_a_mask_of_all_cells_changes_nothing():
+    bits = Stream(4, "bits").many(5 * 7 * 6).reshape(5, 7, 6) < 0.4
+    alpha, beta = layer_sums(bits)
+    for direction, order in itertools.product(("rows", "columns"), ("minimum", "sequential")):
+        plain = propagated_layers(alpha, beta, direction, order)
+        assert (propagated_layers(alpha, beta, direction, order, mask=np.ones(bits.shape, bool)) == plain).all()
+
+
+def test_trades_within_a_mask_keep_sums_and_mask_and_reach_every_layer_that_trades_join():
+    # a ring of cells without corners' neighbours would be stuck; a full block beside one forbidden cell is not
+    mask = np.ones((3, 3), bool)
+    mask[0, 0] = False
+    start = np.repeat((np.array([[0, 1, 0], [1, 0, 0], [0, 0, 1]]) > 0)[None], 4000, axis=0)
+    drawn = Counter(x.tobytes() for x in shuffled_layers(start, Stream(5, "t"), mask=np.repeat(mask[None], 4000, 0)))
+    every = [np.eye(3, dtype=bool)[list(p)] for p in itertools.permutations(range(3)) if p[0] != 0]
+    assert set(drawn) == {layer.tobytes() for layer in every}
+    assert max(abs(count - 1000) for count in drawn.values()) < 5 * 1000**0.5

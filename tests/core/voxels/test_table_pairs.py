@@ -172,8 +172,3 @@ def test_given_tables_that_are_not_compatible_are_refused_by_the_layer():
 def test_try_and_repeat_that_finds_none_gives_up_and_says_so():
     with pytest.raises(ExactnessError, match="none of 3 pairs of tables was compatible; pairing 'constraint'"):
         draw_pair(random_targets(3), chosen(pairing="repeat", solver="thesis", cap_alpha=4, cap_beta=4, tries=3))
-
-
-def test_a_mask_is_refused():
-    with pytest.raises(ParameterError, match="fills boxes only"):
-        draw_pair(random_targets(1), chosen(), mask=np.ones((8, 7, 6), bool))

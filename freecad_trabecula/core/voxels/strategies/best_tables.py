@@ -7,12 +7,12 @@ from typing import Optional
 
 import numpy as np
 
-from ...progress import Progress, part
+from ...progress import Progress
 from ..best_layer import best_layers
 from ..chosen_fields import chosen_field
 from ..parameters import VoxelParameters
-from ..table_pairs import TABLE_OPTIONS, draw_pair
-from ..targets import Targets
+from ..table_design import design_of_tables
+from ..table_pairs import TABLE_OPTIONS, TablePair
 
 NAME = "best-tables"
 SUMMARY = "random tables; of all layers that they allow the one that is highest on the chosen field (linear program)"
@@ -20,18 +20,10 @@ OPTIONS = (*TABLE_OPTIONS, "field")
 SECONDS_PER_MILLION = 5.0  # CPU, of cells, measured
 
 
-def design(targets: Targets, parameters: VoxelParameters, mask: Optional[np.ndarray], progress: Progress) -> np.ndarray:
-    """Return voxels with exactly these counts, (P, M, N) bool.
+def fill(pair: TablePair, parameters: VoxelParameters, mask: Optional[np.ndarray], progress: Progress) -> np.ndarray:
+    """Return the layers of a pair of tables that are highest on the chosen field, (P, M, N) bool."""
+    shape = pair.alpha.shape[1], len(pair.beta), len(pair.alpha)
+    return best_layers(chosen_field(parameters, shape), pair.alpha, pair.beta, progress, mask)
 
-    Raises
-    ------
-    InfeasibleError, ExactnessError
-        As ``table_pairs.draw_pair``.
-    ParameterError
-        If there is a mask.
-    DependencyError
-        If scipy is missing.
-    """
-    pair = draw_pair(targets, parameters, part(progress, 0.0, 0.05), mask)
-    field = chosen_field(parameters, targets.shape)
-    return best_layers(field, pair.alpha, pair.beta, part(progress, 0.05, 1.0))
+
+design = design_of_tables(fill, 0.05)

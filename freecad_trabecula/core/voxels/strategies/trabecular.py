@@ -17,7 +17,7 @@ from ..contacts import remove_contacts
 from ..exact_moves import ExactMoves
 from ..joining import joined_solid, one_part
 from ..local_scale import locally_fitted
-from ..masks import main_part
+from ..masks import allowed_voxels, main_part
 from ..parameters import VoxelParameters
 from ..plane_offsets import FORBIDDEN, newton_offsets, solid_of
 from ..targets import Targets
@@ -90,15 +90,6 @@ def check_one_part(counts: List[np.ndarray]) -> None:
                 f"{last} are asked for {int(count[first])} and {int(count[last])} voxels, and {last - first - 1} "
                 "between them for none"
             )
-
-
-def allowed_voxels(counts: List[np.ndarray], mask: Optional[np.ndarray]) -> Optional[np.ndarray]:
-    """Return where solid may be: in the mask, and in no layer that is to be empty; None is everywhere."""
-    if mask is None and all(count.all() for count in counts):
-        return None
-    c, e, d = (count > 0 for count in counts)
-    box = c[:, None, None] & e[:, None] & d
-    return box if mask is None else box & mask
 
 
 def chosen_texture(targets: Targets, parameters: VoxelParameters) -> Texture:
