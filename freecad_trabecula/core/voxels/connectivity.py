@@ -134,10 +134,17 @@ def parts(solid: np.ndarray) -> tuple:
     """
     from scipy import ndimage
 
-    labels, _ = ndimage.label(solid)
-    sizes = np.bincount(labels.ravel())
+    labels, count = ndimage.label(solid)
+    return labels, _sizes(labels, count)
+
+
+def _sizes(labels: np.ndarray, count: int) -> np.ndarray:
+    """Return how many voxels have each label 0 .. count, (count + 1,) int64, with 0 for label 0."""
+    sizes = np.zeros(count + 1, np.int64)
+    for layer in labels:
+        sizes += np.bincount(layer.reshape(-1), minlength=count + 1)
     sizes[0] = 0
-    return labels, sizes
+    return sizes
 
 
 def closed_cavities(solid: np.ndarray, mask: Optional[np.ndarray] = None) -> tuple:
@@ -159,11 +166,13 @@ def closed_cavities(solid: np.ndarray, mask: Optional[np.ndarray] = None) -> tup
             is_open[np.unique(np.take(labels, end, axis))] = True
     if mask is not None:
         is_open[np.unique(labels[~mask])] = True
+    if is_open.all():
+        return np.zeros_like(labels), np.zeros(1, np.int64)
     numbers = np.cumsum(~is_open) * ~is_open
-    labels = numbers.astype(np.int32)[labels]
-    sizes = np.bincount(labels.ravel(), minlength=int(numbers.max()) + 1)
-    sizes[0] = 0
-    return labels, sizes
+    numbers = numbers.astype(np.int32)
+    for layer in labels:
+        layer[:] = numbers[layer]
+    return labels, _sizes(labels, int(numbers.max()))
 
 
 def edge_contacts(solid: np.ndarray) -> int:
@@ -230,6 +239,7 @@ class Solid:
         inside = np.zeros(self.padded.shape, bool)
         inside[self._box] = True
         self._inside = inside.reshape(-1)
+        self._preference: Optional[np.ndarray] = None  # 0 but for the voxels that ``apart`` compares
 
     @property
     def voxels(self) -> np.ndarray:
@@ -309,11 +319,12 @@ class Solid:
 
         A voxel is chosen if no better one lies among its 26 neighbours, so that no flip sees another.
         """
-        by_place = np.argsort(index)
-        places = index[by_place]
+        if self._preference is None:
+            self._preference = np.zeros(self.flat.size, np.int32)
+        worth = np.arange(len(index), 0, -1, dtype=np.int32)
+        self._preference[index] = worth
         best = np.ones(len(index), bool)
         for offset in self.offsets:
-            found = np.minimum(np.searchsorted(places, index + offset), len(index) - 1)
-            is_neighbour = places[found] == index + offset
-            best &= ~is_neighbour | (by_place[found] > np.arange(len(index)))
+            best &= self._preference[index + offset] < worth
+        self._preference[index] = 0
         return best

@@ -170,14 +170,18 @@ class ExactMoves:
             gain = self.gains(near, places)
             chosen = np.concatenate([near[gain == 3], near[gain == 1]])[: max(_BATCH, len(near) // 8)]
             chosen = chosen[self.solid.flippable(chosen)]
-            chosen = chosen[self.solid.apart(chosen)]
-            chosen = chosen[self.within_need(chosen)]
-            if not len(chosen):
-                return
-            self.flip(chosen)
+            self._flip_by_need(chosen[self.solid.apart(chosen)])
             self.progress(batch, _BATCHES, "exact moves")
             if self.missing > 0.98 * before:
                 return
+
+    def _flip_by_need(self, index: np.ndarray) -> None:
+        """Flip those of voxels (C,) that help, few at a time: what a layer needs changes with every flip."""
+        for least in (3, 1):
+            for first in range(0, len(index), _FEW):
+                some = index[first : first + _FEW]
+                some = some[self.gains(some) >= least]
+                self.flip(some[self.within_need(some)])
 
     def _stir(self, turn: int) -> None:
         """Flip some voxels near the level at random, others at every turn: new places for moves that found none."""
@@ -203,39 +207,40 @@ class ExactMoves:
 
     # ------------------------------------------------------------------------------------------------------ one by one
 
-    def _best(self, index: np.ndarray, cost: np.ndarray, legal: object) -> Optional[int]:
-        """Return the legal voxel of least cost among voxels (C,), or None."""
+    def _best(self, index: np.ndarray, cost: np.ndarray, legal: object, most: int = 1) -> np.ndarray:
+        """Return up to so many legal voxels of least cost among voxels (C,), which may be flipped at once."""
         order = np.argsort(cost, kind="stable")
         for first in range(0, len(order), _FEW):
             some = index[order[first : first + _FEW]]
-            good = np.flatnonzero(legal(some))
-            if len(good):
-                return int(some[good[0]])
-        return None
+            some = some[legal(some)]
+            if len(some):
+                return some[self.solid.apart(some)][:most] if most > 1 else some[:1]
+        return index[:0]
 
     def _match_total(self) -> None:
         """Add or remove voxels, in the layers that need it most, until the total is right."""
         tries = 0
         while self.lacking[0].sum() != 0 and tries < 4 * len(self.field) + 64:
             tries += 1
-            sign = 1 if self.lacking[0].sum() > 0 else -1
+            wrong = int(self.lacking[0].sum())
+            sign = 1 if wrong > 0 else -1
             layer = int(np.argsort(-sign * self.lacking[0], kind="stable")[tries % 8 if tries > 64 else 0])
-            chosen = self._free_place(0, layer, sign)
-            if chosen is None:
+            needed = max(1, min(abs(wrong), sign * int(self.lacking[0][layer])))
+            chosen = self._free_places(0, layer, sign, needed)
+            self.flip(chosen)
+            if not len(chosen):
                 self._reach(0, layer)
-            else:
-                self.flip(np.array([chosen]))
             self.progress(0, 1, "exact moves")
 
-    def _free_place(self, axis: int, number: int, sign: int) -> Optional[int]:
-        """Return the voxel of a layer that is best added (sign 1) or removed (-1), or None."""
+    def _free_places(self, axis: int, number: int, sign: int, most: int = 1) -> np.ndarray:
+        """Return voxels of a layer, up to so many, that are best added (sign 1) or removed (-1)."""
         index, height = self._layer(axis, number)
         right = (self.solid.flat[index] == (sign < 0)) & (height > FORBIDDEN / 2)
         index, height = index[right], height[right]
         places = self.solid.places_of(index)
         need = sum(self.lacking[i][places[i]] for i in range(3) if i != axis)
         cost = -sign * (height + np.float32(_HEAL) * need)
-        return self._best(index, cost, self.solid.addable if sign > 0 else self.solid.removable)
+        return self._best(index, cost, self.solid.addable if sign > 0 else self.solid.removable, most)
 
     def _match_axis(self, axis: int, loop: int) -> None:
         """Move voxels along the lines of one axis until its layers have their counts, or nothing more can be done."""
@@ -308,15 +313,15 @@ class ExactMoves:
 
     def _freely(self, axis: int, short: int, full: int) -> bool:
         """Add anywhere in one layer and remove anywhere in the other; tell if it was possible."""
-        add = self._free_place(axis, short, 1)
-        if add is None:
+        add = self._free_places(axis, short, 1)
+        if not len(add):
             return self._reach(axis, short)
-        self.flip(np.array([add]))
-        remove = self._free_place(axis, full, -1)
-        if remove is None or remove == add:
-            self.flip(np.array([add]))
+        self.flip(add)
+        remove = self._free_places(axis, full, -1)
+        if not len(remove) or remove[0] == add[0]:
+            self.flip(add)
             return False
-        self.flip(np.array([remove]))
+        self.flip(remove)
         return True
 
     def _reach(self, axis: int, number: int) -> bool:

@@ -47,9 +47,9 @@ def joined_solid(
     total = int(targets[0].sum())
     offsets = None
     for attempt in range(_ROUNDS):
-        widest = 0.5 if offsets is None else 2.0**-5
+        widest = 0.5 if offsets is None else 2.0**-6
         offsets = newton_offsets(field, targets, offsets, widest, progress=progress)
-        offsets = polished(field, targets, offsets, progress=progress)
+        offsets = polished(field, targets, offsets, 1, progress)
         wanted = solid_of(field, offsets)
         solid = one_part(wanted, field > FORBIDDEN / 2, progress)
         changed = solid != wanted

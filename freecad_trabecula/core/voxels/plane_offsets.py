@@ -9,7 +9,7 @@ steps are cut to few digits, so that sums are exact and no library's rounding de
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence
+from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -24,6 +24,9 @@ _WIDEST, _NARROWEST = 0.5, 2.0**-7  # half widths of the ramp
 _SMALL = 1 << 18  # voxels; a larger field is first solved on every other voxel
 _SLAB_VALUES = 1 << 18
 _STEPS_PER_WIDTH = 8
+_STALLED = 0.9  # of what was lacking a step before: the width has nothing more to give
+_LINE = 16  # planes along x gathered at once: what a line of the processor's cache holds
+_NEAR = 2.0**-5  # of its offset: where a plane's new one is looked for first
 _STEP_DIGITS = 12  # bits kept of the longest component of a step
 
 
@@ -166,11 +169,14 @@ def newton_offsets(
     wanted = np.concatenate([np.asarray(t, float) for t in targets])
     ends = np.cumsum(field.shape)[:-1]
     while True:
+        before = np.inf
         for _ in range(_STEPS_PER_WIDTH):
             ramp = _Ramp(field, np.split(current, ends), half_width)
             lacking = wanted - np.concatenate(ramp.sums)
-            if np.abs(lacking).max() < 1.0:
+            most = np.abs(lacking).max()
+            if most < 1.0 or most > _STALLED * before:  # sums of shares may differ by axis: those nothing meets
                 break
+            before = most
             current = np.clip(current + ramp.step(lacking, half_width), -LARGEST_OFFSET, LARGEST_OFFSET)
             progress(0, 1, "offsets")
         if half_width <= narrowest:
@@ -202,7 +208,7 @@ def _give_counts(field: np.ndarray, counts: np.ndarray, offsets: list, axis: int
     size = field.shape[axis]
     across = [o for i, o in enumerate(offsets) if i != axis]
     table = (across[0][:, None] + across[1][None, :]).reshape(-1)
-    block = max(1, min(16, _SLAB_VALUES // table.size + 1))
+    block = _LINE if axis == 2 else max(1, min(_LINE, _SLAB_VALUES // table.size + 1))
     for first in range(0, size, block):
         here = (slice(None),) * axis + (slice(first, first + block),)
         planes = np.moveaxis(field[here], axis, 0).reshape(-1, table.size) + table
@@ -212,12 +218,24 @@ def _give_counts(field: np.ndarray, counts: np.ndarray, offsets: list, axis: int
                 offsets[axis][plane] = _level(values, count, offsets[axis][plane])
 
 
+def _neighbours_of_rank(values: np.ndarray, rank: int, near: float) -> Tuple[np.float32, np.float32]:
+    """Return the values of the sorted array before and at a rank, which are looked for near a number first."""
+    low, high = np.float32(near - _NEAR), np.float32(near + _NEAR)
+    above = values > low
+    before = values.size - int(np.count_nonzero(above))
+    above &= values < high
+    close = values[above]
+    if before < rank < before + close.size:
+        values, rank = close, rank - before
+    parted = np.partition(values, (rank - 1, rank))
+    return parted[rank - 1], parted[rank]
+
+
 def _level(values: np.ndarray, count: int, offset: float) -> float:
     """Return the offset above which `count` of the values lie, or the old one if the plane has not so many."""
     if count <= 0 or count >= values.size:
         return offset
-    parted = np.partition(values, (values.size - count - 1, values.size - count))
-    below, above = parted[values.size - count - 1], parted[values.size - count]
+    below, above = _neighbours_of_rank(values, values.size - count, -offset)
     if below < FORBIDDEN / 2:  # all that may be solid is: the level just under it
         below = above - np.float32(1.0)
     if above < FORBIDDEN / 2:

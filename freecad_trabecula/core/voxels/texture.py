@@ -109,22 +109,33 @@ def _amplitudes(texture: Texture, waves: list, stream: Stream) -> np.ndarray:
 
 
 def _turns(size: int, period: int, highest: int) -> tuple:
-    """Return whole cosines and sines, each (2 highest + 1, size), of the waves at the voxels of one axis."""
+    """Return whole cosines and sines, each (highest + 1, size), of the waves 0 .. highest at the voxels of one axis."""
     # the angle is reduced in whole numbers: k x mod period, so that the tables are exact to the last bit
-    steps = np.outer(np.arange(-highest, highest + 1), np.arange(size)) % period
+    steps = np.outer(np.arange(highest + 1), np.arange(size)) % period
     angles = 2.0 * np.pi * np.arange(period) / period
     scale = float(1 << _ANGLE_BITS)
     return np.rint(np.cos(angles) * scale)[steps], np.rint(np.sin(angles) * scale)[steps]
 
 
+def _folded(real: np.ndarray, imaginary: np.ndarray) -> tuple:
+    """Return what cosines and sines of the waves 0 .. highest are multiplied by, for the real and the imaginary sum.
+
+    A cosine is the same for k and -k, a sine the opposite: what the two share is added up first, which halves the
+    work. Waves lie along the last axis, -highest .. highest; results are two arrays (..., 2 highest + 2).
+    """
+    highest = real.shape[-1] // 2
+    both = []
+    for even, odd, sign in ((real, imaginary, -1.0), (imaginary, real, 1.0)):
+        sums, differences = even[..., highest:].copy(), odd[..., highest:] - odd[..., highest::-1]
+        sums[..., 1:] += even[..., highest - 1 :: -1]
+        both.append(np.concatenate((sums, sign * differences), -1))
+    return tuple(both)
+
+
 def _summed(real: np.ndarray, imaginary: np.ndarray, turns: tuple) -> tuple:
     """Return sums over the last axis of (real + i imaginary) exp(i angle), shortened to whole numbers again."""
-    cosine, sine = turns
-    shorten = 1.0 / (1 << _ANGLE_BITS)
-    return (
-        np.rint((real @ cosine - imaginary @ sine) * shorten),
-        np.rint((real @ sine + imaginary @ cosine) * shorten),
-    )
+    turn, shorten = np.concatenate(turns), 1.0 / (1 << _ANGLE_BITS)
+    return tuple(np.rint((part @ turn) * shorten) for part in _folded(real, imaginary))
 
 
 def gaussian_slabs(
@@ -155,17 +166,16 @@ def gaussian_slabs(
     real, imaginary = _summed(real, imaginary, _turns(shape[2], period_x, high_x))
     real, imaginary = (np.ascontiguousarray(np.swapaxes(a, 1, 2)) for a in (real, imaginary))
     real, imaginary = _summed(real, imaginary, _turns(shape[1], period_y, high_y))
-    real, imaginary = (np.swapaxes(a, 1, 2).reshape(len(a), -1) for a in (real, imaginary))
-    both = np.ascontiguousarray(np.concatenate((real, imaginary)))
-    cosine, sine = _turns(shape[0], period_z, high_z)
+    real, imaginary = (np.swapaxes(a, 1, 2).reshape(len(a), -1).T for a in (real, imaginary))
+    for_g, for_h = (part.T for part in _folded(real, imaginary))
+    del real, imaginary
+    turn = np.concatenate(_turns(shape[0], period_z, high_z))
     layers = max(1, _SLAB_VALUES // (shape[1] * shape[2]))
     scale = 1.0 / ((1 << _ANGLE_BITS) * deviation)
     for first in range(0, shape[0], layers):
-        c, s = cosine[:, first : first + layers].T, sine[:, first : first + layers].T
-        size = (len(c), *shape[1:])
-        g = (np.concatenate((c, -s), 1) @ both).reshape(size)
-        h = (np.concatenate((s, c), 1) @ both).reshape(size)
-        yield first, g * scale, h * scale
+        here = turn[:, first : first + layers].T
+        size = (len(here), *shape[1:])
+        yield first, (here @ for_g).reshape(size) * scale, (here @ for_h).reshape(size) * scale
 
 
 def trabecular_field(
