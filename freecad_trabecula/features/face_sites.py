@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Dict, Optional
 
+import FreeCAD
 import Part
 
 from ..core.parameters import FaceParameters
@@ -12,6 +13,7 @@ from ..core.progress import Progress, silent
 from ..core.sites import Sites
 from ..errors import EnvelopeError
 from ..geometry.design import SitedFace, sites_shape
+from ..geometry.face_marks import face_mark, found_again
 from ..geometry.face_sites import face_sites
 from . import results
 from .base import read_parameters
@@ -52,6 +54,8 @@ class FaceSites(Keyed):
     PROPERTIES = (
         Property("App::PropertyLinkSub", "Face", "Base", "Face of the envelope"),
         result("Integer", "Count", "Sites on the face"),
+        result("String", "MarkedFace", "Body and face of the mark", hidden=True),
+        result("FloatList", "FaceMark", "Number of the body's faces; points of the face and normals there", hidden=True),
         RESULT_KEY,
     )
 
@@ -106,3 +110,66 @@ class FaceSites(Keyed):
     def said(self, obj: Any) -> str:
         """Return the number of sites."""
         return f"{obj.Count} sites"
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Forget the old face when another is linked; FreeCAD 1.x marks one that it lost, which is looked for."""
+        if name != "Face" or not obj.Face or not obj.Face[1] or not hasattr(obj, "FaceMark"):
+            return
+        if not obj.Face[1][0].startswith("?") and _link_text(obj) != obj.MarkedFace:
+            obj.FaceMark = []
+
+    def prepare(self, obj: Any, progress: Progress = silent) -> None:
+        """Compute beforehand; errors go to the caller."""
+        follow_face(obj)
+        super().prepare(obj, progress)
+
+    def compute(self, obj: Any) -> str:
+        """Find the face again if its body has numbered its faces anew, then show the sites."""
+        moved = follow_face(obj)
+        status = super().compute(obj)
+        owner, (name,) = obj.Face
+        shape = _unplaced(owner)
+        obj.MarkedFace = _link_text(obj)
+        obj.FaceMark = [float(len(shape.Faces)), *face_mark(shape.Faces[int(name[4:]) - 1])]
+        return f"{status}; {moved}" if moved else status
+
+
+def _link_text(obj: Any) -> str:
+    owner, (name, *_) = obj.Face
+    return f"{owner.Name}.{name}"
+
+
+def _unplaced(owner: Any) -> Part.Shape:
+    """The shape of a body before it was placed: a mark does not change when the body is moved."""
+    shape = owner.Shape.copy(False)
+    shape.Placement = FreeCAD.Placement()
+    return shape
+
+
+def follow_face(obj: Any) -> str:
+    """Link sites to the face that they were on, where their body has given it another number; say so.
+
+    The sites keep the name of their face, so that couplings, changes by hand and random draws stay what they were.
+
+    Raises
+    ------
+    EnvelopeError
+        If the face is no more.
+    """
+    names, mark = (obj.Face[1] if obj.Face else ()), list(obj.FaceMark)
+    if len(names) != 1 or not mark or getattr(obj.Face[0], "Shape", None) is None:
+        return ""
+    owner, name = obj.Face[0], names[0].lstrip("?")
+    shape = _unplaced(owner)
+    count = len(shape.Faces)
+    number = int(name[4:]) if name[4:].isdigit() and not names[0].startswith("?") else 0
+    found = found_again(shape, mark[1:], number, count == int(mark[0]))
+    if found is None:
+        raise lost(obj, name)
+    if found == number:
+        return ""
+    obj.FaceName = obj.FaceName or name
+    obj.Face = (owner, [f"Face{found}"])
+    said = f"its face, {name} so far, is now Face{found} of {owner.Label}"
+    FreeCAD.Console.PrintWarning(f"{obj.Label}: {said}\n")
+    return said
