@@ -4,19 +4,19 @@
 from __future__ import annotations
 
 import traceback
-from typing import Any, Callable, ClassVar, Dict, NamedTuple, Tuple, Type
+from typing import Any, ClassVar, Dict, NamedTuple, Tuple, Type
 
 import FreeCAD
 
 from ..core.progress import Progress, silent
 from ..errors import KernelError, TrabeculaError
 from ..views import attach_view
+from . import migrations
 from .base import add_parameters
 from .stateless import Stateless
 
 # FreeCAD's attributes of properties (App::PropertyType)
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
-SCHEMA_VERSION = 1
 UP_TO_DATE = "up to date"
 ERROR = "error: "
 
@@ -50,13 +50,13 @@ class Feature(Stateless):
     PARAMETERS: ClassVar[Tuple[type, ...]] = ()
     #: Further properties.
     PROPERTIES: ClassVar[Tuple[Property, ...]] = ()
-    #: ``MIGRATIONS[n](obj)`` brings an object of schema n to schema n + 1.
-    MIGRATIONS: ClassVar[Dict[int, Callable[[Any], None]]] = {}
+    #: ``MIGRATIONS[n](obj)`` brings an object of schema n to schema n + 1; see ``migrations``.
+    MIGRATIONS: ClassVar[Dict[int, migrations.Step]] = {}
 
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
         self.add_properties(obj)
-        obj.SchemaVersion = SCHEMA_VERSION
+        obj.SchemaVersion = migrations.SCHEMA_VERSION
 
     def add_properties(self, obj: Any) -> None:
         """Add the properties that the object lacks."""
@@ -80,7 +80,7 @@ class Feature(Stateless):
         """Compute again. On an error the object keeps what it had, and ``Status`` and the report view say why."""
         status = f"{ERROR}the computation broke off; the report view says where"
         try:
-            self.check_schema(obj)
+            migrations.check_schema(obj)
             status = self.compute(obj) or UP_TO_DATE
         except TrabeculaError as error:
             status = f"{ERROR}{error}"
@@ -96,21 +96,11 @@ class Feature(Stateless):
         """Compute and assign the results, last of all the shape; return the status, "" if there is nothing to say."""
         raise NotImplementedError
 
-    def check_schema(self, obj: Any) -> None:
-        """Refuse an object made by a later version."""
-        if obj.SchemaVersion > SCHEMA_VERSION:
-            raise TrabeculaError(
-                f"{obj.Label} was made by a later version of Trabecula: its schema must be at most {SCHEMA_VERSION}, "
-                f"got {obj.SchemaVersion}; update Trabecula"
-            )
-
     def onDocumentRestored(self, obj: Any) -> None:
         """Bring an object of an older version up to date, one step at a time."""
         touched = "Touched" in obj.State
-        for version in range(obj.SchemaVersion, SCHEMA_VERSION):
-            self.MIGRATIONS[version](obj)
-            obj.SchemaVersion = version + 1
-        if obj.SchemaVersion <= SCHEMA_VERSION:
+        migrations.migrate(obj, self.MIGRATIONS)
+        if obj.SchemaVersion <= migrations.SCHEMA_VERSION:
             self.add_properties(obj)
         if not touched:
             obj.purgeTouched()  # limits were set again, nothing else

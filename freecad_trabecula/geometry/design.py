@@ -99,19 +99,29 @@ def edited(faces: Dict[str, SitedFace], edits: Sequence[SiteEdit]) -> Dict[str, 
     Raises
     ------
     ParameterError
-        If an edit names an unknown face or site, or its point is off the face.
+        If an edit names an unknown face or site, or its point is off the face; all such edits are named.
     """
     placed: Dict[str, Dict[str, tuple]] = {label: {} for label in faces}
+    known = {label: list(one.sites.names) for label, one in faces.items()}
+    faults = []
     for edit in edits:
         label = edit.site.split(".")[0]
-        if label not in faces:
-            raise ParameterError(
-                f"a change by hand must name a site of one of the faces {', '.join(faces)}, got {edit.site!r}"
-            )
-        if edit.action in ("move", "add"):
+        try:
+            if label not in faces:
+                raise ParameterError(f"it must name a site of one of the faces {', '.join(faces)}")
             sites, face = faces[label]
-            first = sites.u[0] if len(sites) else None
-            placed[label][edit.site] = pick_site(face, edit.point, first)
+            if edit.action == "add":
+                known[label].append(f"{label}.hand.{sum('.hand.' in name for name in known[label]) + 1}")
+            elif edit.site not in known[label]:
+                raise ParameterError(f"it must name a site of face {label}, which has {len(sites)} sites")
+            if edit.action in ("move", "add"):
+                first = sites.u[0] if len(sites) else None
+                placed[label][edit.site] = pick_site(face, edit.point, first)
+        except ParameterError as error:
+            faults.append(f"{edit.site} ({edit.action}): {error}")
+    if faults:
+        what = "a change by hand does not" if len(faults) == 1 else f"{len(faults)} changes by hand do not"
+        raise ParameterError(f"{what} fit the design: {'; '.join(faults)}")
     return {label: edit_sites(one.sites, edits, placed[label]) for label, one in faces.items()}
 
 

@@ -10,7 +10,7 @@ from document_case import DocumentCase, small_job
 from freecad_trabecula import make
 from freecad_trabecula.core.parameters import RodParameters
 from freecad_trabecula.errors import KernelError, ParameterError
-from freecad_trabecula.features import feature
+from freecad_trabecula.features import feature, migrations
 from freecad_trabecula.features.wireframe import Wireframe
 
 
@@ -32,7 +32,7 @@ class FeatureTest(DocumentCase):
         wireframe.SchemaVersion = 0
         wireframe.removeProperty("RodRedraws")
         Renamed.onDocumentRestored(Renamed.__new__(Renamed), wireframe)
-        self.assertEqual(wireframe.SchemaVersion, feature.SCHEMA_VERSION)
+        self.assertEqual(wireframe.SchemaVersion, migrations.SCHEMA_VERSION)
         self.assertEqual(wireframe.Seed, 101)
         self.assertEqual(wireframe.RodRedraws, RodParameters().redraws)
 

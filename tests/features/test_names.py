@@ -27,7 +27,7 @@ NAMES = {
     "Trabecula::FaceSites": (
         "freecad_trabecula.features.face_sites.FaceSites",
         "Part::FeaturePython",
-        "BorderU BorderV Count DirectionU DirectionV Face FaceName Origin OriginGiven ResultKey SchemaVersion "
+        "BorderU BorderV Count DirectionU DirectionV Face FaceMark FaceName MarkedFace Origin OriginGiven ResultKey SchemaVersion "
         "SpacingU SpacingV Status",
     ),
     "Trabecula::Wireframe": (

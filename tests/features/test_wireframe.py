@@ -150,7 +150,11 @@ class RefusalTest(DocumentCase):
             ("Couplings", ['{"first": "Face1", "second": "Face9"}'], "join faces that have sites .*got 'Face9'"),
             ("Couplings", ['{"first": "Face1", "second": "Face1"}'], "coupled with itself only if it is curved.*Face1"),
             ("Couplings", ["Face1-Face2"], "coupling 1 must be one JSON object, got 'Face1-Face2'"),
-            ("Edits", ['{"site": "Face1.9.9"}'], "name a site of face Face1 .9 sites., got 'Face1.9.9'"),
+            (
+                "Edits",
+                ['{"site": "Face1.9.9"}'],
+                r"Face1.9.9 \(off\): it must name a site of face Face1, which has 9 sites",
+            ),
             ("Edits", ['{"site": "Face7.1.1"}'], "one of the faces Face1, .*got 'Face7.1.1'"),
             ("Edits", ['{"site": "Face1.1.1", "action": "move", "point": [5, 5, 5]}'], "distance of 5 mm"),
             ("PathBox", FreeCAD.Vector(-1, 0, 0), "box of middle points must be at least 0, got -1 mm"),

@@ -99,8 +99,21 @@ class EditedTest(unittest.TestCase):
         self.assertIs(found["Face2"], self.faces["Face2"].sites)
 
     def test_an_edit_of_an_unknown_face_is_refused(self):
-        with self.assertRaisesRegex(ParameterError, "one of the faces Face1, .* got 'lid.1.1'"):
+        with self.assertRaisesRegex(ParameterError, r"lid.1.1 \(off\): .*one of the faces Face1, "):
             design.edited(self.faces, [SiteEdit("lid.1.1")])
+
+    def test_all_edits_that_do_not_fit_are_named_at_once(self):
+        edits = [
+            SiteEdit("Face1.1.1"),
+            SiteEdit("Face1.4.1", "pore", size=0.5),
+            SiteEdit("Face2.1.1", "move", (13.0, 2.0, 2.0)),
+            SiteEdit("Face1.x", "add", (0.0, 2.0, 2.0)),
+            SiteEdit("Face1.hand.1", "pore", size=0.5),
+        ]
+        words = r"2 changes .*: Face1.4.1 \(pore\): .*9 sites; Face2.1.1 \(move\): .*1 mm, got a distance of 3 mm$"
+        with self.assertRaisesRegex(ParameterError, words):
+            design.edited(self.faces, edits)
+        self.assertEqual(len(design.edited(self.faces, [edits[0], *edits[3:]])["Face1"]), 10)
 
 
 class WarningsTest(unittest.TestCase):
