@@ -55,9 +55,7 @@ class FaceSites(Keyed):
         Property("App::PropertyLinkSub", "Face", "Base", "Face of the envelope"),
         result("Integer", "Count", "Sites on the face"),
         result("String", "MarkedFace", "Body and face of the mark", hidden=True),
-        result(
-            "FloatList", "FaceMark", "Number of the body's faces; points of the face and normals there", hidden=True
-        ),
+        result("FloatList", "FaceMark", "Count of faces; points on the face and normals there", hidden=True),
         RESULT_KEY,
     )
 

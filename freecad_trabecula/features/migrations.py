@@ -121,7 +121,7 @@ def renamed(expression: str, obj: Any, old: str, new: str, own: bool) -> str:
 
 
 def _owner(tokens: List[str], k: int) -> str:
-    """Return what stands before the dot in front of a token: a name, ``""`` if nothing does; ``"."`` if it is deeper."""
+    """Return what stands before the dot in front of a token: a name, ``""`` if none; ``"."`` if that is a part too."""
     if k == 0 or tokens[k - 1] != ".":
         return ""
     before = tokens[k - 2] if k > 1 else ""

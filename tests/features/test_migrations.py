@@ -11,7 +11,6 @@ import FreeCAD
 sys.path.append(str(Path(__file__).resolve().parent))
 from document_case import DocumentCase, small_job
 
-from freecad_trabecula import make
 from freecad_trabecula.features import migrations
 from freecad_trabecula.features.migrations import rename_property
 from freecad_trabecula.features.wireframe import Wireframe

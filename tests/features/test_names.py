@@ -27,8 +27,8 @@ NAMES = {
     "Trabecula::FaceSites": (
         "freecad_trabecula.features.face_sites.FaceSites",
         "Part::FeaturePython",
-        "BorderU BorderV Count DirectionU DirectionV Face FaceMark FaceName MarkedFace Origin OriginGiven ResultKey SchemaVersion "
-        "SpacingU SpacingV Status",
+        "BorderU BorderV Count DirectionU DirectionV Face FaceMark FaceName MarkedFace Origin OriginGiven ResultKey "
+        "SchemaVersion SpacingU SpacingV Status",
     ),
     "Trabecula::Wireframe": (
         "freecad_trabecula.features.wireframe.Wireframe",
