@@ -14,6 +14,7 @@ PLAIN = [
     *(".".join(p.relative_to(ROOT).with_suffix("").parts) for p in ROOT.glob("freecad_trabecula/core/**/*.py")),
 ]
 #: Those of the command line that need no FreeCAD.
+PLAIN += ["freecad_trabecula.gui.help_pages"]
 PLAIN += ["freecad_trabecula.shell." + name for name in ("arguments", "folder", "launch")]
 
 

@@ -20,7 +20,7 @@ from .analysis_saving import ask_and_save
 from .chart import Chart, Diagram
 from .fields import row_widget
 from .object_dock import ObjectDock
-from .qt import icon
+from .qt import help_buttons, icon
 from .results_panel import fill, table
 from .slice_view import Slice, SliceView, plane_box, plane_corners
 from .transactions import told
@@ -58,6 +58,7 @@ class AnalysisDock(ObjectDock):
             self.charts[kind].pointed.connect(self._point)
             self.tabs.addTab(self.charts[kind], words)
         self.tabs.addTab(self.figures, translate("Trabecula", "Numbers"))
+        self.tabs.setCornerWidget(help_buttons("commands/Plots.md"))
         self.tabs.currentChanged.connect(lambda *_: self._show_page())
         self.number.setPrefix(translate("Trabecula", "slice "))
         self.number.valueChanged.connect(lambda value: self.show_plane(int(value)))

@@ -33,7 +33,10 @@ class AnalysisPanel(WorkPanel):
     """
 
     def __init__(self, document: Any, obj: Any = None, source: Any = None) -> None:
-        words = translate("Trabecula", "Slice analysis"), translate("Trabecula", "Analyse"), "Trabecula_analysis"
+        words = (
+            *(translate("Trabecula", "Slice analysis"), translate("Trabecula", "Analyse")),
+            *("Trabecula_analysis", "commands/Analysis.md"),
+        )
         super().__init__(document, obj, source, AnalysisForm(self._changed), words, lambda one: show_analyses([one]))
 
     def fill(self, source: Any) -> None:

@@ -9,12 +9,12 @@ import FreeCAD
 import FreeCADGui
 
 from ..core.presets import PRESETS
-from . import analysis_commands, rod_commands, study_commands, voxel_commands
+from . import analysis_commands, help_commands, rod_commands, study_commands, voxel_commands
 from .command import Command
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 #: Modules whose ``COMMANDS`` are registered.
-MODULES = (rod_commands, analysis_commands, voxel_commands, study_commands)
+MODULES = (rod_commands, analysis_commands, voxel_commands, study_commands, help_commands)
 #: Title of a toolbar, title of its submenu, and the names of the commands in it; "" is a gap.
 GROUPS = (
     (
@@ -40,6 +40,11 @@ GROUPS = (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula study"),
         QT_TRANSLATE_NOOP("Workbench", "S&tudy"),
         ("Trabecula_CopyScript",),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Workbench", "Trabecula help"),
+        QT_TRANSLATE_NOOP("Workbench", "&Help"),
+        ("Trabecula_Help",),
     ),
 )
 #: The commands by their names, once they are registered.

@@ -82,7 +82,7 @@ class DesignPanel:
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
-        form = PanelForm(translate("Trabecula", "Design rods"), "Trabecula_design")
+        form = PanelForm(translate("Trabecula", "Design rods"), "Trabecula_design", "commands/Design.md")
         column = QtGui.QVBoxLayout(form)
         column.setContentsMargins(6, 4, 6, 4)
         column.setSpacing(4)

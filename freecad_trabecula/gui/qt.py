@@ -13,8 +13,12 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .help_pages import CONTENTS, GLOSSARY
+
+translate = FreeCAD.Qt.translate
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 MOST_DIGITS = 4  # of a length in mm that is shown; the value itself keeps all
+_SMALL = 14  # pixels: icons of the buttons that lead to the help
 Buttons = QtGui.QDialogButtonBox
 FreeCADGui.addIconPath(str(RESOURCES / "icons"))
 
@@ -61,12 +65,30 @@ def is_alive(widget: Any) -> bool:
 
 
 class PanelForm(QtGui.QWidget):
-    """A task panel's form: Return ends the typing of a value, it does not press OK."""
+    """A task panel's form: the way to its page of the help; Return ends the typing of a value, it does not press OK.
 
-    def __init__(self, title: str, picture: str) -> None:
+    Parameters
+    ----------
+    title, picture : str
+        Name of the panel, and its icon.
+    page : str
+        Its page of the docs.
+    """
+
+    def __init__(self, title: str, picture: str, page: str = CONTENTS) -> None:
         super().__init__()
         self.setWindowTitle(title)
         self.setWindowIcon(icon(picture))
+        self.help = help_buttons(page)
+        self.help.setParent(self)
+        # whatever layout the form gets, the buttons have a line above it
+        self.setContentsMargins(0, self.help.sizeHint().height(), 0, 0)
+
+    def resizeEvent(self, event: Any) -> None:
+        """Keep the way to the help at the upper right (Qt's protocol)."""
+        super().resizeEvent(event)
+        size = self.help.sizeHint()
+        self.help.setGeometry(self.width() - size.width(), 0, size.width(), size.height())
 
     def keyPressEvent(self, event: Any) -> None:
         """Keep Return from FreeCAD's task view."""
@@ -107,6 +129,28 @@ def small_button(name: str, tip: str, pressed: Any, text: str = "", checkable: b
     button.setCheckable(checkable)
     (button.toggled if checkable else button.clicked).connect(pressed)
     return button
+
+
+def help_buttons(page: str) -> Any:
+    """Return two small buttons: a page of the docs, and the glossary."""
+    widget = QtGui.QWidget()
+    row = QtGui.QHBoxLayout(widget)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(0)
+    for picture, tip, name in (
+        ("Trabecula_glossary", translate("Trabecula", "Glossary: what the words mean"), GLOSSARY),
+        ("Trabecula_help", translate("Trabecula", "Help: what can be done here"), page),
+    ):
+        button = small_button(picture, tip, lambda *_, name=name: _show_help(name))
+        button.setIconSize(QtCore.QSize(_SMALL, _SMALL))
+        row.addWidget(button)
+    return widget
+
+
+def _show_help(page: str) -> None:
+    from .help_dock import show_help  # which is made of what is here
+
+    show_help(page)
 
 
 def paper_and_ink() -> Tuple[Any, Any]:

@@ -48,7 +48,7 @@ class ResultsPanel:
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
-        form = PanelForm(translate("Trabecula", "Results"), "Trabecula_results")
+        form = PanelForm(translate("Trabecula", "Results"), "Trabecula_results", "commands/Results.md")
         self.sections = Accordion()
         for title, picture, page in (
             (translate("Trabecula", "Figures"), "results", self.figures),

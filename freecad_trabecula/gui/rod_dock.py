@@ -13,7 +13,7 @@ from PySide import QtCore, QtGui
 from ..core.wireframe import Wireframe
 from ..errors import TrabeculaError
 from ..features.relations import type_of, wireframe_of
-from .qt import icon
+from .qt import help_buttons, icon
 
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaRodDock"
@@ -34,7 +34,13 @@ class RodDock(QtGui.QDockWidget):
         self.table.horizontalHeader().setStretchLastSection(True)
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.setMinimumWidth(260)
-        self.setWidget(self.table)
+        page = QtGui.QWidget()
+        column = QtGui.QVBoxLayout(page)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(help_buttons("commands/RodInfo.md"), 0, QtCore.Qt.AlignRight)
+        column.addWidget(self.table)
+        self.setWidget(page)
         self._faces: Tuple[int, np.ndarray] = (0, np.zeros(0, int))
         self._observing = False
         self.visibilityChanged.connect(self._observe)

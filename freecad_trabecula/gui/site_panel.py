@@ -64,7 +64,7 @@ class SitePanel:
         invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
-        form = PanelForm(translate("Trabecula", "Edit site and pore"), "Trabecula_edit_pore")
+        form = PanelForm(translate("Trabecula", "Edit site and pore"), "Trabecula_edit_pore", "commands/EditSite.md")
         grid = QtGui.QFormLayout(form)
         grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         grid.addRow(translate("Trabecula", "Site"), self.site.widget)

@@ -22,6 +22,7 @@ from .fields import row_widget
 from .layer_view import LayerView
 from .object_choice import ObjectChoice
 from .object_dock import ObjectDock
+from .qt import help_buttons
 from .recomputing import of_window
 from .slice_view import plane_corners
 from .voxel_layers import DESIGN, KINDS, SAMPLE, Layers, layer_of, pixel_of
@@ -60,6 +61,7 @@ class VoxelDock(ObjectDock):
         for kind, words in KINDS:
             self.charts[kind].pointed.connect(self._point)
             self.tabs.addTab(self.charts[kind], words)
+        self.tabs.setCornerWidget(help_buttons("commands/VoxelLayers.md"))
         pictures, bar, left = QtGui.QSplitter(), row_widget(), QtGui.QWidget()
         for view in (self.sample, self.design):
             pictures.addWidget(view)

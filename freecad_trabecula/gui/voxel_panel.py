@@ -78,7 +78,10 @@ class VoxelPanel(WorkPanel):
     """
 
     def __init__(self, document: Any, obj: Any = None, source: Any = None) -> None:
-        words = translate("Trabecula", "Voxel design"), translate("Trabecula", "Build"), "Trabecula_voxels"
+        words = (
+            *(translate("Trabecula", "Voxel design"), translate("Trabecula", "Build")),
+            *("Trabecula_voxels", "commands/Voxels.md"),
+        )
         super().__init__(document, obj, source, VoxelForm(self._changed), words, lambda one: show_layers(one))
 
     def fill(self, source: Any) -> None:

@@ -31,7 +31,7 @@ class WorkPanel:
         What a new one is made of at first.
     fields : QWidget
     words : tuple of str
-        Title, text of the button, icon.
+        Title, text of the button, icon, page of the help.
     show : callable
         Shows what was made or changed.
     """
@@ -42,7 +42,7 @@ class WorkPanel:
         obj: Any,
         source: Any,
         fields: Any,
-        words: Tuple[str, str, str],
+        words: Tuple[str, str, str, str],
         show: Callable[[Any], None],
     ) -> None:
         self.document, self.obj, self.fields, self._show = document, obj, fields, show
@@ -50,9 +50,9 @@ class WorkPanel:
         self._work: Optional[DocumentWork] = None
         self.message = QtGui.QLabel()
         self.message.setWordWrap(True)
-        title, button, picture = words
+        title, button, picture, page = words
         self.build_bar = BuildBar((), self.work, self.cancel, button, picture)
-        self.form = PanelForm(title, picture)
+        self.form = PanelForm(title, picture, page)
         column = QtGui.QVBoxLayout(self.form)
         column.setContentsMargins(6, 4, 6, 4)
         column.setSpacing(4)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The scripts in resources/examples run under FreeCAD, end with the right exit code and leave what they promise."""
+"""The scripts in resources/examples, and the README's, run under FreeCAD and leave or say what they promise."""
 
 import os
 import re
@@ -17,14 +17,14 @@ FOLDER = Path(__file__).resolve().parents[2] / "resources" / "examples"
 SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
 
 
-def run(name, out):
+def run(path, out):
     """Run a script; return its exit code and what it said."""
     try:
         program = freecad_program()
     except DependencyError as error:
         pytest.skip(str(error))
     done = subprocess.run(
-        [*program, str(FOLDER / name)],
+        [*program, str(path)],
         env=dict(os.environ, TRABECULA_OUT=str(out)),
         cwd=str(out.parent),
         stdin=subprocess.DEVNULL,
@@ -44,7 +44,7 @@ def outputs(tmp_path_factory):
     def output(name):
         if name not in found:
             folder = tmp_path_factory.mktemp(name.replace(".", "_"))
-            found[name] = (folder, *run(name, folder))
+            found[name] = (folder, *run(FOLDER / name, folder))
         return found[name]
 
     return output
@@ -88,6 +88,20 @@ def test_by_hand_each_change_rebuilds_one_rod_at_most(outputs):
 
 
 def test_an_example_that_cannot_write_its_files_ends_with_1(tmp_path):
-    code, said = run("step_by_step.py", tmp_path / "none")
+    code, said = run(FOLDER / "step_by_step.py", tmp_path / "none")
     assert code == 1
     assert "could not be written" in said
+
+
+def test_the_script_in_the_readme_does_what_it_says(tmp_path):
+    readme = (FOLDER.parents[1] / "README.md").read_text(encoding="utf-8")
+    (script,) = re.findall(r"```python\n(.*?)```", readme, re.DOTALL)
+    path = tmp_path / "readme.py"
+    # as in FreeCAD's console, which the workbench is in reach of; then FreeCAD ends
+    path.write_text(
+        f"import sys\nsys.path.insert(0, {str(FOLDER.parents[1])!r})\n{script}\nsys.stdout.flush()\nsys.exit(0)\n",
+        "utf-8",
+    )
+    code, said = run(path, tmp_path / "out")
+    assert (code, "Traceback" in said) == (0, False), said[-3000:]
+    assert "147 rods" in said

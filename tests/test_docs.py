@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pages: every link and picture is there, every page can be reached, every command has one, names in them exist."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+from freecad_trabecula.core.analysis.tables import BRANCH_COLUMNS, CONTOUR_COLUMNS, PROFILE_COLUMNS
+from freecad_trabecula.gui import help_pages
+
+ROOT = Path(__file__).resolve().parent.parent
+DOCS = ROOT / "docs"
+PAGES = sorted([*ROOT.glob("*.md"), *DOCS.rglob("*.md")])
+COMMANDS = DOCS / "commands"
+#: Rows of the table in the page of a command.
+ROWS = ("needs", "makes", "undo", "script", "shell")
+_LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
+
+
+def without_code(text):
+    """Return a page without its blocks of code, where brackets mean something else."""
+    return re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+
+
+def links_of(page):
+    """Return (is a picture, target) of the links of a page, those to other sites left out."""
+    found = _LINK.findall(without_code(page.read_text(encoding="utf-8")))
+    return [(bool(mark), target) for mark, _, target in found if "://" not in target]
+
+
+def anchors_of(page):
+    """Return the headings of a page as links name them."""
+    return {help_pages.slug(heading) for heading, _ in help_pages.passages_of(page.read_text(encoding="utf-8"))}
+
+
+def dead_links(page):
+    """Return the links of a page that lead nowhere."""
+    dead = []
+    for _, target in links_of(page):
+        name, _, anchor = target.partition("#")
+        path = (page.parent / name).resolve() if name else page
+        if not path.exists() or (anchor and anchor not in anchors_of(path)):
+            dead.append(target)
+    return dead
+
+
+def named(path):
+    return path.relative_to(ROOT).as_posix()
+
+
+def test_every_link_and_every_picture_is_there():
+    assert len(PAGES) > 30
+    assert {named(page): dead_links(page) for page in PAGES if dead_links(page)} == {}
+
+
+def test_dead_links_and_headings_that_are_missing_are_found(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(
+        "# One\n[a](nowhere.md) [b](#one) [c](#two) ![d](no.png)\n```\n[e](code.md)\n```\n", encoding="utf-8"
+    )
+    assert dead_links(page) == ["nowhere.md", "#two", "no.png"]
+
+
+def test_every_page_can_be_reached_from_the_table_of_contents():
+    reached, waiting = set(), [DOCS / "README.md"]
+    while waiting:
+        page = waiting.pop()
+        if page not in reached:
+            reached.add(page)
+            targets = [(page.parent / target.partition("#")[0]).resolve() for _, target in links_of(page)]
+            waiting += [target for target in targets if target.suffix == ".md"]
+    assert [named(page) for page in PAGES if page not in reached] == []
+
+
+def test_every_picture_is_shown_by_a_page():
+    shown = {(page.parent / target).resolve() for page in PAGES for is_picture, target in links_of(page) if is_picture}
+    assert [named(path) for path in sorted((DOCS / "pictures").iterdir()) if path not in shown] == []
+
+
+def command_names():
+    """Return the names of all commands that the window's modules register."""
+    found = set()
+    for path in (ROOT / "freecad_trabecula" / "gui").glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                found.update(re.findall(r"^Trabecula_[A-Z]\w*[a-z0-9]$", node.value))
+    return sorted(found)
+
+
+def test_every_command_has_a_page_which_the_list_of_commands_names():
+    names = command_names()
+    assert len(names) > 20
+    assert [name for name in names if not (DOCS / help_pages.page_of_command(name)).is_file()] == []
+    listed = {target for _, target in links_of(COMMANDS / "README.md")}
+    assert [path.name for path in COMMANDS.glob("*.md") if path.name not in (*listed, "README.md")] == []
+
+
+def script_names():
+    """Return the functions of ``make``."""
+    for node in ast.parse((ROOT / "freecad_trabecula" / "make.py").read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.Assign) and node.targets[0].id == "__all__":
+            return set(ast.literal_eval(node.value))
+    raise AssertionError("make has no __all__")
+
+
+def flags_of_the_shell():
+    """Return all options of the command line."""
+    folder = ROOT / "freecad_trabecula" / "shell"
+    texts = [path.read_text(encoding="utf-8") for path in folder.glob("*.py")]
+    return {flag for text in texts for flag in re.findall(r"\"(--[a-z][\w-]*)\"", text)} | {"--help"}
+
+
+@pytest.mark.parametrize("page", sorted(COMMANDS.glob("[A-Z]*.md")), ids=lambda page: page.stem)
+def test_the_page_of_a_command_says_all_there_is_to_say(page):
+    if page.stem == "README":
+        return
+    text = page.read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^\| (\w+) \| (.+) \|$", text, re.MULTILINE))
+    assert [row for row in ROWS if len(rows.get(row, "")) < 1] == []
+    assert f"| | `Trabecula_{page.stem}` |" in text
+    assert set(re.findall(r"make\.(\w+)", rows["script"])) <= script_names()
+    assert set(re.findall(r"--[a-z][\w-]*", rows["shell"])) <= flags_of_the_shell()
+    assert "(../../resources/icons/" in text
+
+
+def test_the_columns_in_the_page_of_files_are_those_that_are_written():
+    rows = dict(
+        re.findall(r"^\| `(\w+)_x\.csv` \.\.\. \| (.+) \|$", (DOCS / "files.md").read_text("utf-8"), re.MULTILINE)
+    )
+    for name, columns in (("profile", PROFILE_COLUMNS), ("contours", CONTOUR_COLUMNS), ("branches", BRANCH_COLUMNS)):
+        quoted = [word for part in re.findall(r"`([^`]+)`", rows[name]) for word in part.split(",")]
+        assert sorted(quoted) == sorted(columns), name
+
+
+def test_the_readme_is_short():
+    assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) <= 90
+
+
+def test_a_search_finds_a_page_by_its_heading_first_and_its_passages_whole():
+    hits = help_pages.find("glossary")
+    assert (hits[0].page, hits[0].text) == ("glossary.md", "Glossary")
+    assert any(
+        hit.page == "glossary.md" and "envelope less channels" in hit.text for hit in help_pages.find("scaffold")
+    )
+    assert help_pages.find("  ") == []
+    assert help_pages.find("no such word in any page, surely") == []
+
+
+def test_lines_of_a_paragraph_belong_together_and_code_holds_no_headings():
+    text = "# One\nfirst line\nsecond line\n\n```\n# a comment\n```\n## Two\n* a point\n* another\n"
+    assert list(help_pages.passages_of(text)) == [
+        *(("One", "One"), ("One", "first line second line"), ("One", "# a comment")),
+        *(("Two", "Two"), ("Two", "* a point"), ("Two", "* another")),
+    ]
+
+
+def test_what_a_search_found_leads_to_headings_that_exist():
+    page = help_pages.page_of_hits("porosity", "Search", "Nothing")
+    targets = [target for _, _, target in _LINK.findall(page)]
+    assert 5 < len(targets) <= help_pages.MOST_HITS
+    for target in targets:
+        name, _, anchor = target.partition("#")
+        assert anchor in anchors_of(DOCS / name), target
+    assert help_pages.page_of_hits("no such word", "Search", "Nothing").endswith("Nothing")
