@@ -12,7 +12,7 @@ class Help(Command):
 
     NAME, ICON = "Trabecula_Help", "Trabecula_help"
     TEXT, KEYS = "Help", "T, F"
-    TIP = "Show or hide the help: tutorials, commands, file formats, the method, the glossary"
+    TIP = "Show or hide the help: tutorials, commands, files, the method, the glossary. Needs nothing"
 
     def run(self, index: int) -> None:
         """Show or hide it."""

@@ -10,7 +10,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from .help_pages import CONTENTS, DOCS, GLOSSARY, column_shares, page_of_hits, slug
-from .qt import icon, small_button
+from .qt import WISHES, icon, small_button
 
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaHelpDock"
@@ -194,3 +194,6 @@ def show_help(page: str = CONTENTS) -> HelpDock:
     dock.raise_()
     dock.view.show_page(page)
     return dock
+
+
+WISHES.page.connect(show_help)

@@ -131,6 +131,21 @@ def small_button(name: str, tip: str, pressed: Any, text: str = "", checkable: b
     return button
 
 
+class Wishes(QtCore.QObject):
+    """What the window's parts wish for and do not make themselves.
+
+    Attributes
+    ----------
+    page : signal
+        A page of the help: ``gui/help_dock.py`` shows it.
+    """
+
+    page = QtCore.Signal(str)
+
+
+WISHES = Wishes()
+
+
 def help_buttons(page: str) -> Any:
     """Return two small buttons: a page of the docs, and the glossary."""
     widget = QtGui.QWidget()
@@ -141,16 +156,10 @@ def help_buttons(page: str) -> Any:
         ("Trabecula_glossary", translate("Trabecula", "Glossary: what the words mean"), GLOSSARY),
         ("Trabecula_help", translate("Trabecula", "Help: what can be done here"), page),
     ):
-        button = small_button(picture, tip, lambda *_, name=name: _show_help(name))
+        button = small_button(picture, tip, lambda *_, name=name: WISHES.page.emit(name))
         button.setIconSize(QtCore.QSize(_SMALL, _SMALL))
         row.addWidget(button)
     return widget
-
-
-def _show_help(page: str) -> None:
-    from .help_dock import show_help  # which is made of what is here
-
-    show_help(page)
 
 
 def paper_and_ink() -> Tuple[Any, Any]:
