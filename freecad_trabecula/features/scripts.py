@@ -29,6 +29,7 @@ from .relations import wireframe_of
 from .scaffold import Body, Scaffold
 from .solid_scaffold import SolidScaffold
 from .voxel_design import VoxelDesign
+from .voxel_inputs import sample_of
 from .wireframe import Wireframe
 
 _HEAD = "# {}: made again by these lines; paste them into FreeCAD's Python console or run them with freecadcmd."
@@ -275,6 +276,8 @@ def _sample(script: Script, obj: Any) -> Any:
     """The body of an analysis or a voxel design as an argument: a variable, or the path of a file."""
     if obj.Source is not None:
         return script.refer(obj.Source)
+    if not obj.File:
+        return sample_of(obj)  # drawn curves
     need = _file_need(obj.File)
     if need not in script.needs:
         script.needs.append(need)
@@ -296,8 +299,10 @@ def _write_voxels(script: Script, obj: Any) -> None:
     if obj.Envelope is not None:
         arguments.append(("envelope", script.refer(obj.Envelope)))
     arguments += _unless("surface", obj.Surface, "blocks")
+    if obj.Alpha:
+        arguments.append(("tables", (list(obj.Alpha), list(obj.Beta))))
     name = script.call(obj, "voxels", "make_voxel_design", *arguments)
-    label = obj.Source.Label if obj.Source is not None else Path(obj.File).stem
+    label = obj.Source.Label if obj.Source is not None else Path(obj.File).stem or "of drawn curves"
     script.keep_label(obj, name, f"Voxels {label}")
 
 

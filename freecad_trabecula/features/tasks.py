@@ -32,10 +32,10 @@ from .network import Network, rods_by_key, shown_rods
 from .packing import read_value, write_value
 from .scaffold import Scaffold, cut, scaffold_key
 from .solid_scaffold import SolidScaffold, solid_key, solid_of
-from .voxel_design import Inputs as VoxelInputs
 from .voxel_design import VoxelDesign
 from .voxel_design import run_inputs as run_voxel_inputs
-from .voxel_design import write_inputs as write_voxel_inputs
+from .voxel_inputs import Inputs as VoxelInputs
+from .voxel_inputs import write_inputs as write_voxel_inputs
 from .wireframe import SEEN, Inputs, Wireframe, history, made, recall, seen_of, wireframe_key
 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"

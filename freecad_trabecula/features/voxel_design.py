@@ -6,7 +6,6 @@ The document holds the voxels as bits, the targets and the mesh; all else is wor
 
 from __future__ import annotations
 
-import json
 import math
 import time
 from pathlib import Path
@@ -15,52 +14,29 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 import Mesh
 import numpy as np
 
-from ..core.analysis.analysis import Analysis as CoreAnalysis
 from ..core.meshes import is_closed, mesh_volume, printable
 from ..core.parameters import require
 from ..core.progress import Progress, part, silent
-from ..core.records import from_record, to_record
+from ..core.records import from_record
 from ..core.voxels import design as core
 from ..core.voxels.blocks import block_mesh
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.report import connection_record, trabeculae_record
 from ..core.voxels.smooth_surface import smooth_surface
-from ..core.voxels.sources import mask_of_triangles, read_targets, targets_of_profiles, targets_of_triangles
+from ..core.voxels.sources import mask_of_triangles
 from ..core.voxels.targets import Targets
 from ..core.voxels.verification import layer_errors
 from ..errors import ExportError, KernelError, ParameterError
 from ..geometry.mesh_objects import mesh_object
 from . import results
-from .analysis import Analysis, analysis_of
-from .analysis_source import Source, file_source, object_source, read_source_soup, soup_of_source, write_source
 from .base import read_parameters
-from .feature import Property, is_a, result
+from .feature import HIDDEN, Property, result
 from .on_demand import OnDemand, waiting
-from .packing import from_numbers, read_value, to_numbers, write_value
+from .packing import from_numbers, to_numbers
+from .voxel_inputs import Inputs, inputs_of, is_table, read_inputs, sample_of, triangles_of
 
 SURFACES = ("blocks", "smooth")
-_BODY, _ENVELOPE, _PROFILES = "body", "envelope", "profiles"  # names of what another process reads
 _BITS = 48  # of one number: a double keeps 53
-#: Files of meshes; others hold counts or voxels (core/voxels/sources.py).
-_MESHES = (".stl", ".obj", ".ply", ".3mf")
-
-
-class Inputs(NamedTuple):
-    """All that a voxel design depends on; its targets come from a body, or from an analysis."""
-
-    body: Optional[Source]
-    profiles: Optional[CoreAnalysis]
-    mark: str
-    envelope: Optional[Source]
-    parameters: VoxelParameters
-    surface: str
-
-    @property
-    def key(self) -> str:
-        """Changes when one of them does."""
-        envelope = self.envelope.key if self.envelope else ""
-        chosen = json.dumps(to_record(self.parameters, everything=True))
-        return results.key_of("voxels", self.mark, envelope, chosen, self.surface)
 
 
 class Built(NamedTuple):
@@ -101,6 +77,13 @@ class VoxelDesign(OnDemand):
         Property("App::PropertyLink", "Envelope", "Base", "Body within which voxels may lie; none: the sample's box"),
         Property("App::PropertyEnumeration", "Surface", "Base", "Blocks keep volume and areas exactly; smooth keeps "
                  "the volume", 0, list(SURFACES)),
+        Property("App::PropertyVectorList", "CurveX", "Base", "Drawn curve along X: place over the edge, share of the "
+                 "layer; none: the sample's"),
+        Property("App::PropertyVectorList", "CurveY", "Base", "Drawn curve along Y"),
+        Property("App::PropertyVectorList", "CurveZ", "Base", "Drawn curve along Z"),
+        Property("App::PropertyVector", "CurveEdges", "Base", "Edges of the box of drawn curves, mm"),
+        Property("App::PropertyIntegerList", "Alpha", "Base", "Given table alpha, lines (x, z); none: drawn", HIDDEN),
+        Property("App::PropertyIntegerList", "Beta", "Base", "Given table beta, lines (y, z); none: drawn", HIDDEN),
         *waiting(True),
         result("Bool", "Exact", "Whether every layer along X, Y and Z has the voxels asked for"),
         result("Integer", "LayersX", "Layers along X (N)"),
@@ -134,9 +117,8 @@ class VoxelDesign(OnDemand):
         ExportError
             If the file is not there.
         """
-        if obj.Source is None and not obj.File:
-            raise ParameterError(f"{obj.Label} must have a sample, a source or a file, got neither")
-        return inputs_of(obj.Source or obj.File, read_parameters(obj, VoxelParameters), obj.Envelope, obj.Surface)
+        parameters, tables = read_parameters(obj, VoxelParameters), (obj.Alpha, obj.Beta)
+        return inputs_of(sample_of(obj), parameters, obj.Envelope, obj.Surface, tables)
 
     def key(self, obj: Any) -> str:
         """Return the key of the present inputs."""
@@ -146,8 +128,8 @@ class VoxelDesign(OnDemand):
         """Design."""
         inputs = self.inputs(obj)
         step = part(progress, 0.0, 0.1)
-        body = None if inputs.body is None or _is_table(inputs.body) else _triangles(inputs.body, step)
-        envelope = _triangles(inputs.envelope, step) if inputs.envelope else None
+        body = None if inputs.body is None or is_table(inputs.body) else triangles_of(inputs.body, step)
+        envelope = triangles_of(inputs.envelope, step) if inputs.envelope else None
         return built(inputs, body, envelope, part(progress, 0.1, 1.0))
 
     def show(self, obj: Any, value: Built) -> None:
@@ -173,46 +155,6 @@ class VoxelDesign(OnDemand):
         return f"{obj.Voxels} voxels in {parts}, exact along X, Y and Z, bone fraction {obj.BoneFraction:.2f} %"
 
 
-def inputs_of(sample: Any, parameters: VoxelParameters, envelope: Any = None, surface: str = "blocks") -> Inputs:
-    """Return all that a design depends on.
-
-    Parameters
-    ----------
-    sample : document object or str
-        A body, an analysis, or the path of a file.
-    parameters : VoxelParameters
-    envelope : document object or None
-    surface : str
-
-    Raises
-    ------
-    ParameterError
-        If there is no such sample.
-    """
-    within = object_source(envelope) if envelope is not None else None
-    if is_a(sample, Analysis):
-        return Inputs(None, analysis_of(sample), sample.ResultKey, within, parameters, surface)
-    body = _file_source(sample) if isinstance(sample, str) else object_source(sample)
-    return Inputs(body, None, body.key, within, parameters, surface)
-
-
-def _file_source(path: str) -> Source:
-    """A file or the folder of an analysis."""
-    try:
-        return file_source(path)
-    except ExportError as error:
-        raise ParameterError(str(error)) from error
-
-
-def _is_table(body: Source) -> bool:
-    """Whether a source holds counts or voxels instead of triangles."""
-    return body.kind == "file" and Path(body.body).suffix.lower() not in _MESHES
-
-
-def _triangles(source: Source, progress: Progress) -> np.ndarray:
-    return soup_of_source(source, "auto", 0.0, progress).triangles
-
-
 def built(
     inputs: Inputs, body: Optional[np.ndarray], envelope: Optional[np.ndarray], progress: Progress = silent
 ) -> Built:
@@ -231,7 +173,7 @@ def built(
         If there is no such design, or the search gave up.
     """
     started, parameters = time.perf_counter(), inputs.parameters
-    targets = _targets(inputs, body, part(progress, 0.0, 0.15))
+    targets = inputs.targets(body, part(progress, 0.0, 0.15))
     mask = None
     if envelope is not None:
         mask = mask_of_triangles(envelope, targets, parameters.boundary, part(progress, 0.15, 0.2), "the envelope")
@@ -246,14 +188,6 @@ def built(
     shown = mesh_object(printable(mesh))
     figures["Seconds"] = time.perf_counter() - started
     return Built(design, figures, shown)
-
-
-def _targets(inputs: Inputs, body: Optional[np.ndarray], progress: Progress) -> Targets:
-    if inputs.profiles is not None:
-        return targets_of_profiles(inputs.profiles, inputs.parameters)
-    if body is not None:
-        return targets_of_triangles(body, inputs.parameters, progress)
-    return read_targets(inputs.body.body, inputs.parameters, progress)
 
 
 def figures_of(design: core.VoxelDesign) -> Dict[str, Any]:
@@ -351,35 +285,10 @@ def voxel_design_of(obj: Any) -> core.VoxelDesign:
 # -------------------------------------------------------------------------------------------- for another process
 
 
-def write_inputs(folder: Path, inputs: Inputs) -> Dict[str, Any]:
-    """Write what another process needs to compute a design; return the record of its task."""
-    for source, name in ((inputs.body, _BODY), (inputs.envelope, _ENVELOPE)):
-        if source is not None:
-            write_source(source, folder, name)
-    if inputs.profiles is not None:
-        write_value(inputs.profiles, folder / _PROFILES)
-    return {
-        "key": inputs.key,
-        "parameters": to_record(inputs.parameters),
-        "surface": inputs.surface,
-        "table": inputs.body.body if inputs.body is not None and _is_table(inputs.body) else "",
-        "profiles": inputs.profiles is not None,
-        "envelope": inputs.envelope is not None,
-    }
-
-
 def run_inputs(folder: Path, record: Dict[str, Any], progress: Progress = silent) -> List[Tuple[str, str]]:
     """Compute what ``write_inputs`` wrote; return where the result is kept."""
     parameters = from_record(VoxelParameters, record["parameters"], "parameters")
-    step = part(progress, 0.0, 0.1)
-    profiles = read_value(folder / _PROFILES) if record["profiles"] else None
-    table = record["table"]
-    body = None
-    if not table and profiles is None:
-        body = read_source_soup(folder, _BODY, "auto", 0.0, step).triangles
-    envelope = read_source_soup(folder, _ENVELOPE, "auto", 0.0, step).triangles if record["envelope"] else None
-    source = _file_source(table) if table else None
-    inputs = Inputs(source, profiles, "", None, parameters, record["surface"])
+    inputs, body, envelope = read_inputs(folder, record, parameters, part(progress, 0.0, 0.1))
     value = built(inputs, body, envelope, part(progress, 0.1, 1.0))
     results.keep(VoxelDesign.KIND, record["key"], value)
     return [(VoxelDesign.KIND, record["key"])]

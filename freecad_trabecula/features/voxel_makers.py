@@ -14,6 +14,7 @@ from ..core.meshes import printable, weld
 from ..core.progress import Progress, silent
 from ..core.voxels.blocks import block_mesh
 from ..core.voxels.design import Estimate, estimate
+from ..core.voxels.drawn_curves import DrawnCurves, targets_of_curves
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.sources import MESHES, layers_of_source, read_triangles, targets_of_profiles
 from ..core.voxels.targets import layer_counts_of_box
@@ -26,29 +27,33 @@ from .base import write_parameters
 from .feature import is_a, update
 from .makers import add, all_or_nothing
 from .voxel_design import VoxelDesign, check_surface, voxel_design_of
+from .voxel_inputs import curves_of, flat_tables, keep_curves
 
 
 def make_voxel_design(
     document: FreeCAD.Document,
-    source: Union[Any, str],
+    source: Union[Any, str, DrawnCurves],
     parameters: Optional[VoxelParameters] = None,
     envelope: Any = None,
     surface: str = "blocks",
     progress: Progress = silent,
+    tables: Optional[Sequence[Any]] = None,
 ) -> Any:
     """Add voxels whose sliced areas along X, Y and Z equal those of a sample, and return the object.
 
     Parameters
     ----------
     document : App.Document
-    source : document object or str
-        The sample: a mesh, a solid, an analysis, a body of ours; or the path of a file.
+    source : document object, str or DrawnCurves
+        The sample: a mesh, a solid, an analysis, a body of ours; or the path of a file; or curves.
     parameters : VoxelParameters, optional
     envelope : document object, optional
         Body within which voxels may lie.
     surface : str
         ``blocks`` or ``smooth``.
     progress : callable
+    tables : pair of arrays (N, P), (M, P), optional
+        alpha and beta, of which the layers are to be filled; their cells may also stand one after the other.
 
     Raises
     ------
@@ -70,11 +75,15 @@ def make_voxel_design(
     check_surface(surface)
     with all_or_nothing(document):
         obj = add(document, VoxelDesign, "VoxelDesign", "Mesh::FeaturePython", Surface=surface, Envelope=envelope)
-        if isinstance(source, str):
+        if isinstance(source, DrawnCurves):
+            keep_curves(obj, source)
+            obj.Label = "Voxels of drawn curves"
+        elif isinstance(source, str):
             obj.File, obj.Label = source, f"Voxels {Path(source).stem}"
         else:
             obj.Source, obj.Label = source, f"Voxels {source.Label}"
         write_parameters(obj, parameters or VoxelParameters())
+        obj.Alpha, obj.Beta = flat_tables(tables) or ((), ())
         update(obj, progress)
     return obj
 
@@ -85,8 +94,19 @@ def change_voxel_design(
     envelope: Any = None,
     surface: str = "blocks",
     progress: Progress = silent,
+    tables: Optional[Sequence[Any]] = None,
+    curves: Optional[DrawnCurves] = None,
 ) -> None:
     """Design the voxels of an object in another way; arguments as for ``make_voxel_design``.
+
+    Parameters
+    ----------
+    obj : document object
+        A voxel design.
+    parameters, envelope, surface, progress, tables
+        What it is to have; without tables they are drawn.
+    curves : DrawnCurves, optional
+        In place of those it has, if it was made of curves.
 
     Raises
     ------
@@ -109,6 +129,11 @@ def change_voxel_design(
     check_surface(surface)
     write_parameters(obj, parameters)
     obj.Envelope, obj.Surface = envelope, surface
+    obj.Alpha, obj.Beta = flat_tables(tables) or ((), ())
+    if curves is not None:
+        if curves_of(obj) is None:
+            raise ParameterError(f"{obj.Label} must be made of curves to get others, it follows another sample")
+        keep_curves(obj, curves)
     update(obj, progress)
 
 
@@ -156,8 +181,8 @@ def estimate_voxel_design(sample: Any, parameters: VoxelParameters) -> Estimate:
 
     Parameters
     ----------
-    sample : document object or str
-        A body, an analysis, or the path of a file.
+    sample : document object, str or DrawnCurves
+        A body, an analysis, the path of a file, or curves.
     parameters : VoxelParameters
 
     Raises
@@ -174,7 +199,9 @@ def estimate_voxel_design(sample: Any, parameters: VoxelParameters) -> Estimate:
     >>> make.estimate_voxel_design(box, VoxelParameters(size=(0.5, 0.5, 0.5))).layers
     (8, 10, 12)
     """
-    if isinstance(sample, str):
+    if isinstance(sample, DrawnCurves):
+        layers = targets_of_curves(sample, parameters).layers
+    elif isinstance(sample, str):
         mark = file_source(sample).key  # changes when the file does
         if Path(sample).suffix.lower() in MESHES:
             layers = layer_counts_of_box(_edges_of_file(sample, mark), parameters.size, parameters.areas)

@@ -13,7 +13,8 @@ from ..errors import ParameterError, TrabeculaError
 from ..features.base import read_parameters
 from ..features.relations import type_of
 from ..features.tasks import write_voxel_task
-from ..features.voxel_design import VoxelDesign, inputs_of
+from ..features.voxel_design import VoxelDesign
+from ..features.voxel_inputs import inputs_of
 from .analysis_form import is_sliceable
 from .document_work import Order, write_step
 from .voxel_dock import show_layers

@@ -14,6 +14,7 @@ from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.booleans import manifold_available
 from freecad_trabecula.core.parameters import Coupling, FaceParameters, PathParameters
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.wireframe import WireframeParameters
 from freecad_trabecula.errors import ParameterError
@@ -170,6 +171,17 @@ class VoxelScripts(ScriptCase):
         for old, new in ((first, names["voxels"]), (second, names["voxels_2"])):
             np.testing.assert_array_equal(make.voxel_design_of(old).voxels, make.voxel_design_of(new).voxels)
             self.assertEqual(old.Surface, new.Surface)
+
+    def test_drawn_curves_and_given_tables_are_written_too(self):
+        curves = DrawnCurves((3.0, 3.0, 3.0), ((0.0, 0.25), (1.0, 0.75)), ((0.0, 0.5),), ((0.5, 0.5),))
+        parameters = VoxelParameters(size=(0.5, 0.5, 0.5), strategy="random-layers")
+        obj = make.make_voxel_design(self.document, curves, parameters)
+        design = make.voxel_design_of(obj)
+        make.change_voxel_design(obj, parameters, tables=(design.alpha, design.beta))
+        names, text = self.run_script(self.document)
+        self.assertIn("DrawnCurves(edges=(3.0, 3.0, 3.0)", text)
+        self.assertEqual(names["voxels"].Alpha, obj.Alpha)
+        np.testing.assert_array_equal(make.voxel_design_of(names["voxels"]).voxels, make.voxel_design_of(obj).voxels)
 
     def test_a_file_of_an_analysis_is_named_once(self):
         with tempfile.TemporaryDirectory() as folder:

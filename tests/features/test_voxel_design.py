@@ -13,6 +13,7 @@ from freecad_trabecula import make
 from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.booleans import manifold_available
 from freecad_trabecula.core.streams import Stream
+from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.errors import InfeasibleError, KernelError, ParameterError
 from freecad_trabecula.features import results
@@ -179,6 +180,84 @@ class VoxelDesigns(DocumentCase):
         bracket = self.bracket()
         with self.assertRaises((ParameterError, InfeasibleError)), self.unchanged():
             make.make_voxel_design(self.document, bracket, VoxelParameters(size=HALF.size, cap_alpha=1))
+
+    def test_given_tables_are_filled_kept_and_taken_back(self):
+        plain = VoxelParameters(size=HALF.size, strategy="random-layers")
+        obj = make.make_voxel_design(self.document, self.bracket(), plain)
+        design = make.voxel_design_of(obj)
+        chosen = VoxelParameters(size=HALF.size, strategy="sequential", seed=3)
+        make.change_voxel_design(obj, chosen, tables=(design.alpha, design.beta))
+        found = make.voxel_design_of(obj)
+        self.assertTrue((found.alpha == design.alpha).all() and (found.beta == design.beta).all())
+        self.assertEqual(list(obj.Alpha), design.alpha.ravel().tolist())
+        name = obj.Name
+        again = self.reopened().getObject(name)
+        self.assertTrue((make.voxel_design_of(again).targets.tables[0] == design.alpha).all())
+        make.change_voxel_design(again, chosen)
+        self.assertEqual((list(again.Alpha), make.voxel_design_of(again).targets.tables), ([], None))
+
+    def test_tables_that_do_not_go_are_refused(self):
+        obj = make.make_voxel_design(self.document, self.bracket(), HALF)
+        design = make.voxel_design_of(obj)
+        tables = (design.alpha, design.beta)
+        with self.assertRaisesRegex(
+            ParameterError, "given tables need a strategy that fills layers from them .*got trab"
+        ):
+            make.change_voxel_design(obj, HALF, tables=tables)
+        chosen = VoxelParameters(size=HALF.size, strategy="sequential")
+        wrong = design.alpha.copy()
+        wrong[0, 0] += 1
+        with self.assertRaisesRegex(ParameterError, "table alpha: row 0 sums to"):
+            make.change_voxel_design(obj, chosen, tables=(wrong, design.beta))
+        with self.assertRaisesRegex(ParameterError, "table alpha must have 8 x 8 cells for these targets, got 3"):
+            make.change_voxel_design(obj, chosen, tables=([1, 2, 3], [1, 2, 3]))
+
+
+class Curves(DocumentCase):
+    CURVES = DrawnCurves((4.0, 4.0, 4.0), ((0.0, 0.25), (1.0, 0.75)), ((0.0, 0.5),), ((0.0, 0.75), (1.0, 0.25)))
+
+    def test_a_design_has_the_shares_of_drawn_curves_and_follows_them(self):
+        obj = make.make_voxel_design(self.document, self.CURVES, HALF)
+        # straight from a quarter to three quarters of 64 cells: 18, 22 ... 46 by layers' middles
+        rising = list(range(18, 47, 4))
+        voxels = make.voxel_design_of(obj).voxels
+        self.assertEqual(voxels.sum((0, 1)).tolist(), rising)
+        self.assertEqual(voxels.sum((0, 2)).tolist(), [32] * 8)
+        self.assertEqual(voxels.sum((1, 2)).tolist(), rising[::-1])
+        name, key = obj.Name, obj.ResultKey
+        found = self.reopened().getObject(name)
+        self.document.recompute()
+        self.assertEqual((found.UpToDate, found.ResultKey), (True, key))
+        found.CurveX = [(0.0, 0.5, 0.0)]
+        found.CurveZ = [(0.0, 0.5, 0.0)]
+        self.document.recompute()
+        self.assertEqual(make.voxel_design_of(found).voxels.sum((0, 1)).tolist(), [32] * 8)
+        make.change_voxel_design(found, HALF, curves=self.CURVES)
+        self.assertEqual(make.voxel_design_of(found).voxels.sum((0, 1)).tolist(), rising)
+
+    def test_another_process_makes_the_same(self):
+        obj = make.make_voxel_design(self.document, self.CURVES, HALF)
+        voxels = make.voxel_design_of(obj).voxels.copy()
+        results.clear()
+        with tempfile.TemporaryDirectory() as folder:
+            make.write_task(folder, [obj])
+            make.run_task(folder)
+            results.clear()
+            self.assertEqual(make.take_results(folder), 1)
+        self.assertTrue((make.voxel_design_of(obj).voxels == voxels).all())
+
+    def test_what_cannot_be_drawn_is_refused(self):
+        self.assertEqual(make.estimate_voxel_design(self.CURVES, HALF).layers, (8, 8, 8))
+        with self.unchanged(), self.assertRaisesRegex(ParameterError, "must have material"):
+            nothing = ((0.0, 0.0),)
+            make.make_voxel_design(self.document, DrawnCurves((4.0,) * 3, nothing, nothing, nothing), HALF)
+        obj = make.make_voxel_design(self.document, self.CURVES, HALF)
+        obj.CurveX = [(0.0, 1.5, 0.0)]
+        self.document.recompute()
+        self.assertIn("must not be larger than its layer, got 1.5", obj.Status)
+        other = make.make_voxel_design(self.document, VoxelDesigns.bracket(self), HALF)
+        with self.assertRaisesRegex(ParameterError, "must be made of curves to get others"):
+            make.change_voxel_design(other, HALF, curves=self.CURVES)
 
 
 class Bits(unittest.TestCase):

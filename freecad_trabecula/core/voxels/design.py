@@ -15,7 +15,7 @@ from ..progress import Progress, part, silent
 from .exact_search import is_small
 from .feasibility import check_feasible
 from .parameters import BYTES_PER_VOXEL, VoxelParameters, check_voxel_count
-from .registry import find_strategy
+from .registry import find_strategy, strategy_names
 from .table_pairs import draw_pair
 from .targets import Targets
 from .verification import check_exact
@@ -84,10 +84,11 @@ def make_design(
     ExactnessError
         If the search gave up.
     ParameterError
-        If the mask has another shape than the targets, or no cells.
+        If the mask has another shape than the targets, or no cells; if tables are given to a strategy that heeds none.
     """
     seconds = {}
     start = time.perf_counter()
+    check_heeds_tables(parameters.strategy, targets)
     mask = _checked_mask(mask, targets)
     check_feasible(targets, parameters, mask)
     if mask is None and is_small(targets):
@@ -102,6 +103,24 @@ def make_design(
     check_exact(voxels, targets)
     seconds["verification"] = time.perf_counter() - start
     return VoxelDesign(voxels, targets, parameters, mask, seconds, tuple(target_notes(targets)))
+
+
+def heeds_tables(strategy: str) -> bool:
+    """Return whether a strategy fills layers from tables, also from given ones."""
+    return "pairing" in find_strategy(strategy).OPTIONS
+
+
+def check_heeds_tables(strategy: str, targets: Targets) -> None:
+    """Refuse given tables where the strategy makes no use of them.
+
+    Raises
+    ------
+    ParameterError
+        Naming the strategies that do.
+    """
+    if targets.tables is not None and not heeds_tables(strategy):
+        others = ", ".join(name for name in strategy_names() if heeds_tables(name))
+        raise ParameterError(f"given tables need a strategy that fills layers from them ({others}), got {strategy}")
 
 
 class Estimate(NamedTuple):

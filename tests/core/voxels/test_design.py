@@ -116,3 +116,11 @@ def test_caps_that_make_it_impossible_are_refused_with_the_smallest():
 def test_an_estimate_of_too_many_is_a_refusal():
     with pytest.raises(ParameterError, match="GB of memory"):
         estimate((2200, 2200, 2200), "minimum-zeros")
+
+
+def test_given_tables_are_refused_where_the_strategy_heeds_none():
+    targets = targets_of_voxels(Stream(1, "bits").many(120).reshape(4, 5, 6) < 0.4)
+    design = make_design(targets, VoxelParameters(strategy="minimum-zeros"))
+    given = replace(targets, tables=(design.alpha, design.beta))
+    with pytest.raises(ParameterError, match="given tables need .*by-field, minimum-zeros.*, got trabecular"):
+        make_design(given, VoxelParameters())
