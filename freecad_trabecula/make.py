@@ -26,6 +26,7 @@ from .features.analysis_makers import (
 )
 from .features.designs import Design, change_design, make_design
 from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
+from .features.examples import make_example
 from .features.exports import export
 from .features.feature import update
 from .features.jobs import job_of
@@ -78,6 +79,7 @@ __all__ = [
     "make_box",
     "make_design",
     "make_envelope",
+    "make_example",
     "make_face_sites",
     "make_layer_shapes",
     "make_network",

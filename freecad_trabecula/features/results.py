@@ -12,7 +12,7 @@ import json
 import threading
 from collections import OrderedDict
 from pathlib import Path
-from typing import Any, Callable, Tuple, TypeVar
+from typing import Any, Callable, List, Tuple, TypeVar
 
 from ..core.records import to_record
 from ..errors import ExportError
@@ -62,6 +62,12 @@ def find(kind: str, key: str) -> Any:
         if value is not None:
             _kept.move_to_end((kind, key))
         return value
+
+
+def all_of(*kinds: str) -> List[Tuple[str, str]]:
+    """Return where all results of some kinds are kept that are here."""
+    with _lock:
+        return [place for place in _kept if place[0] in kinds]
 
 
 def keep(kind: str, key: str, value: T) -> T:

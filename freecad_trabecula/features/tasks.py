@@ -11,6 +11,7 @@ import json
 from pathlib import Path
 from typing import Any, Dict, List, Sequence, Tuple
 
+import FreeCAD
 import Part
 
 from ..core.job import Job
@@ -25,6 +26,7 @@ from .analysis import Inputs as AnalysisInputs
 from .analysis_files import run_saving, write_saving
 from .base import read_parameters
 from .envelope import checked_envelope
+from .examples import make_example
 from .face_sites import FaceSites, sites_key, sites_on
 from .feature import is_a
 from .jobs import job_of
@@ -41,6 +43,8 @@ from .wireframe import SEEN, Inputs, Wireframe, history, made, recall, seen_of, 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
 #: What the objects show: rods that have not changed are taken from there.
 _BEFORE, _SHOWN = "wireframe", "network"
+#: Kinds of results that a project's objects show.
+_OF_OBJECTS = ("envelope", "sites", "wireframe", SEEN, "scaffold", "analysis", "contours", "voxels")
 
 
 def write_task(folder: str, objects: Sequence[Any]) -> None:
@@ -119,6 +123,11 @@ def write_voxel_task(folder: str, inputs: VoxelInputs) -> None:
     _write_record(Path(folder), {"voxels": write_voxel_inputs(Path(folder), inputs)})
 
 
+def write_example_task(folder: str, name: str) -> None:
+    """Write what another process needs to compute all of an example project."""
+    _write_record(Path(folder), {"example": name})
+
+
 def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]]) -> None:
     try:
         envelope.exportBinary(str(Path(folder) / _ENVELOPE))
@@ -152,6 +161,9 @@ def run_task(folder: str, progress: Progress = silent) -> None:
     if "saving" in task:
         run_saving(place, task["saving"], progress)
         return
+    if "example" in task:
+        _run_example(place, task["example"], progress)
+        return
     if "voxels" in task:
         results.save(str(place / _RESULTS), *run_voxel_inputs(place, task["voxels"], progress))
         return
@@ -175,6 +187,18 @@ def run_task(folder: str, progress: Progress = silent) -> None:
         start, share = 1.0 - rest + number * rest / len(bodies), rest / len(bodies)
         found += _compute(wanted, inputs, kept, part(progress, start, start + share))
     results.save(str(place / _RESULTS), *dict.fromkeys(found))
+
+
+def _run_example(place: Path, name: str, progress: Progress) -> None:
+    """Make the project in a document that is thrown away; its objects' results are what is wanted."""
+    document = FreeCAD.newDocument("Example")
+    try:
+        make_example(document, name, progress)
+        for kind, key in results.all_of(Scaffold.KIND):
+            results.keep(kind, key, results.find(kind, key)._replace(bodies=None))  # a file holds no bodies
+        results.save(str(place / _RESULTS), *results.all_of(*_OF_OBJECTS))
+    finally:
+        FreeCAD.closeDocument(document.Name)
 
 
 def job_inputs(job: Job, envelope: Part.Shape, progress: Progress = silent) -> Inputs:
