@@ -44,6 +44,7 @@ def test_every_file_has_a_licence_in_the_page():
     assert len(names) > 400
     assert [name for name in names if not licence_of(name, rows) and not name.endswith("LICENSE.BMFToolkit")] == []
     assert licence_of("resources/examples/femur_metaphysis.step", rows) == "Zlib"
+    assert licence_of("resources/examples/shrew_bone_a.ply", rows) == "CC0-1.0"
     assert licence_of("freecad_trabecula/core/rods.py", rows) == "LGPL-2.1-or-later"
 
 
