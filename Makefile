@@ -7,6 +7,7 @@
 # make brep         the B-Rep engine on cases 1 to 6: how far, time, memory, volumes (CASES="case1 case2" chooses)
 # make same-seed    the same designs on both FreeCADs, compared
 # make gallery      pictures of every panel and design    make lint     ruff and the test of the layers
+# make translations refreshes the .ts files from the sources, and packs them into .qm
 # make setup        what the others do first: installs what is missing by apt and pip, and says what
 # make clean        removes build/
 
@@ -14,10 +15,11 @@ PYTHON = /usr/bin/python3
 LATEST = sh tools/newest_freecad.sh run
 CHOICE = $(if $(ONLY),--only $(ONLY)) $(if $(MATCH),--match $(MATCH))
 
-.PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery lint format clean
+.PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery translations lint
+.PHONY: format clean
 
 help:
-	@sed -n '3,11s/^# \{0,1\}//p' Makefile
+	@sed -n '3,12s/^# \{0,1\}//p' Makefile
 
 setup:
 	@sh tools/setup.sh
@@ -55,6 +57,10 @@ same-seed: setup
 	@sh tools/newest_freecad.sh build
 	@$(LATEST) sh tools/setup.sh
 	@$(LATEST) $(PYTHON) tools/$*.py $(ARGS)
+
+# lrelease is installed by the command itself, when it is run.
+translations:
+	@$(PYTHON) tools/translations.py
 
 lint:
 	@sh tools/ruff.sh check --output-format concise .

@@ -37,7 +37,7 @@ PARTS = {
 TIMEOUTS = {"plain": 2700, "document": 600, "window": 600}
 #: A refusal raised on purpose by an object's execute: FreeCAD reports it with its traceback, and this last line.
 REFUSAL = "<class 'freecad_trabecula.errors."
-#: FreeCAD's settings in the home of the tests: no start page, which would start a web browser.
+#: FreeCAD's settings in the home of the tests: no start page, which would start a web browser; numbers by language.
 SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters>
   <FCParamGroup Name="Root">
@@ -45,6 +45,8 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
       <FCParamGroup Name="Preferences">
         <FCParamGroup Name="General">
           <FCText Name="AutoloadModule">PartWorkbench</FCText>
+          <FCText Name="Language">{language}</FCText>
+          <FCInt Name="UseLocaleFormatting" Value="1"/>
         </FCParamGroup>
         <FCParamGroup Name="Mod">
           <FCParamGroup Name="Start">
@@ -167,10 +169,16 @@ def test_environment(facts, folder):
     return environment
 
 
-def make_home(facts):
+def language_of(path):
+    """Return the language of the window that a test file wants: its line ``LANGUAGE = "German"``, else English."""
+    found = re.search(r'^LANGUAGE = "(\w+)"$', path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return found[1] if found else "English"
+
+
+def make_home(facts, language="English"):
     """Return a new folder for FREECAD_USER_HOME: default settings, the user's additional packages, this workbench."""
     home = Path(tempfile.mkdtemp(prefix="trabecula-home-"))
-    (home / "user.cfg").write_text(SETTINGS, encoding="utf-8")
+    (home / "user.cfg").write_text(SETTINGS.format(language=language), encoding="utf-8")
     packages = Path(facts["user_data"]) / "AdditionalPythonPackages"
     if packages.is_dir():
         (home / "AdditionalPythonPackages").symlink_to(packages)
@@ -241,7 +249,7 @@ def run_in_freecad(part, path, choices, facts, environment, folder):
     log, result = folder / (label + ".log"), folder / (label + ".json")
     if result.exists():
         result.unlink()
-    home = make_home(facts)
+    home = make_home(facts, language_of(path))
     job = {"file": str(path), "result": str(result), "pattern": choices.match, "timeout": TIMEOUTS[part]}
     environment = dict(environment, FREECAD_USER_HOME=str(home), TRABECULA_TEST=json.dumps(job))
     command = ["freecadcmd", str(TESTS / "run_in_freecad.py")]

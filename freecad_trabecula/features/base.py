@@ -240,8 +240,7 @@ def add_parameters(obj: Any, cls: type) -> None:
         kind, missing = _KINDS[hint], False
         for property_type, suffix, doc, constraint in kind.properties(field):
             if not hasattr(obj, name + suffix):
-                letter = f" ({field.name})" if field.name in BINDINGS[cls].names else ""
-                obj.addProperty(property_type, name + suffix, BINDINGS[cls].group, doc + letter)
+                obj.addProperty(property_type, name + suffix, BINDINGS[cls].group, doc + _letter(cls, field.name))
                 missing = True
                 if isinstance(constraint, list):
                     setattr(obj, name + suffix, constraint)
@@ -249,6 +248,27 @@ def add_parameters(obj: Any, cls: type) -> None:
                 setattr(obj, name + suffix, (getattr(obj, name + suffix), *constraint))
         if missing:
             kind.write(obj, name, field.default)
+
+
+def _letter(cls: type, name: str) -> str:
+    """A field's own name, for the description of a property that has another."""
+    return f" ({name})" if name in BINDINGS[cls].names else ""
+
+
+def descriptions(cls: type) -> List[str]:
+    """Return what each property of a parameter class is, in the words that the property editor shows.
+
+    Examples
+    --------
+    >>> descriptions(LayerParameters)[1]
+    'Thickness of the layer'
+    """
+    return [
+        doc + _letter(cls, field.name)
+        for field, _, hint in _fields(cls)
+        if hint not in BINDINGS
+        for _, _, doc, _ in _KINDS[hint].properties(field)
+    ]
 
 
 def write_parameters(obj: Any, parameters: Any) -> None:

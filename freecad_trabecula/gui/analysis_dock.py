@@ -19,6 +19,7 @@ from .analysis_plots import KINDS, number_text, title
 from .analysis_saving import ask_and_save
 from .chart import Chart, Diagram
 from .fields import row_widget
+from .language import filled, in_words
 from .object_dock import ObjectDock
 from .qt import help_buttons, icon
 from .results_panel import fill, table
@@ -95,7 +96,7 @@ class AnalysisDock(ObjectDock):
         for obj in every:
             item = QtGui.QListWidgetItem(icon("Trabecula_analysis"), obj.Label)
             item.setData(QtCore.Qt.UserRole, obj.Name)
-            item.setToolTip(f"{obj.Label}: {obj.Status}")
+            item.setToolTip(f"{obj.Label}: {in_words(obj.Status)}")
             item.setCheckState(QtCore.Qt.Checked if obj.Name in names else QtCore.Qt.Unchecked)
             self.list.addItem(item)
         self.list.blockSignals(False)
@@ -110,7 +111,7 @@ class AnalysisDock(ObjectDock):
                 self._comparison = plots.comparison_of(list(found.values()))
             self._shown = found
         except TrabeculaError as error:
-            notice = str(error)
+            notice = in_words(str(error))
         axes = list(self._comparison.axes if self._comparison else next(iter(self._shown.values())).profiles) \
             if self._shown else []  # fmt: skip
         self._offer_axes(axes)
@@ -227,7 +228,7 @@ class AnalysisDock(ObjectDock):
         from .recomputing import of_window
 
         if obj.UpToDate and not of_window().take(obj, obj.ResultKey):
-            self.view.show_slice(None, obj.Status)
+            self.view.show_slice(None, in_words(obj.Status))
 
     def _move_cursor(self) -> None:
         analysis = self.first()
@@ -249,9 +250,8 @@ def slice_of(analysis: Analysis, contours: Any, axis: str, plane: int) -> Slice:
     measures, profile = analysis.measures[axis], analysis.profiles[axis]
     first, last = np.searchsorted(contours.plane, [plane, plane + 1])
     low, high = plane_box(axis, analysis.box)
-    where = translate("Trabecula", "{} = {:.3f} mm, {} contours").format(
-        title(axis), profile.coordinate[plane], int(profile.contours[plane])
-    )
+    words = translate("Trabecula", "{} = {:.3f} mm, {} contours")
+    where = filled(words, title(axis), float(profile.coordinate[plane]), int(profile.contours[plane]))
     numbers = translate("Trabecula", "{} mm², porosity {} %").format(
         number_text(profile.sliced_area[plane]), number_text(100 * profile.porosity[plane])
     )

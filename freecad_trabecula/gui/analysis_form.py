@@ -17,11 +17,12 @@ from ..features.relations import type_of
 from .accordion import Accordion
 from .fields import NumberField, row_widget
 from .form import Form
+from .language import choice, decimal_point, local_number
 from .object_choice import ObjectChoice
 from .qt import icon, small_button
 
 translate = FreeCAD.Qt.translate
-_FILES = "Meshes (*.stl *.obj *.ply *.3mf)"
+_FILES = "(*.stl *.obj *.ply *.3mf)"
 _LAYERS = (("thickness", translate("Trabecula", "Thickness"), 0.05), ("at", translate("Trabecula", "Planes"), 1))
 _MENDING = (
     ("gap", translate("Trabecula", "Gap fill"), 0.01),
@@ -46,7 +47,8 @@ class AnalysisForm(QtGui.QWidget):
         super().__init__()
         self._changed, self._least_area, self._showing = changed, 1e-6, False
         self.source, self.envelope, self.unit = ObjectChoice(), ObjectChoice(), QtGui.QComboBox()
-        self.unit.addItems(["auto", *UNITS])
+        for unit in ("auto", *UNITS):
+            self.unit.addItem(choice(unit) if unit == "auto" else unit, unit)
         self.layers, self.mending = Form(SliceParameters, _LAYERS, changed), Form(SliceParameters, _MENDING, changed)
         self.measures = Form(SliceParameters, _MEASURES, changed)
         self.axes = {axis: QtGui.QCheckBox(axis.upper()) for axis in AXES}
@@ -121,7 +123,10 @@ class AnalysisForm(QtGui.QWidget):
 
     def _ask_file(self, *_: Any) -> None:
         path, _ = QtGui.QFileDialog.getOpenFileName(
-            FreeCADGui.getMainWindow(), translate("Trabecula", "Body to be sliced"), "", _FILES
+            FreeCADGui.getMainWindow(),
+            translate("Trabecula", "Body to be sliced"),
+            "",
+            translate("Trabecula", "Meshes") + " " + _FILES,
         )
         if path:
             self.set_file(path)
@@ -170,7 +175,7 @@ class AnalysisForm(QtGui.QWidget):
         for axis, box in self.axes.items():
             box.setChecked(axis in parameters.axes)
         self.direction.setText("; ".join(axis for axis in parameters.axes if axis not in AXES))
-        self.heights.setText(" ".join(f"{height:g}" for height in parameters.heights))
+        self.heights.setText(" ".join(local_number(height) for height in parameters.heights))
         given = not (math.isnan(parameters.low) and math.isnan(parameters.high))
         self.range.setChecked(given)
         self.low.set_value(0.0 if math.isnan(parameters.low) else parameters.low)
@@ -213,7 +218,7 @@ def _numbers(text: str) -> List[float]:
     found = []
     for word in text.replace(";", " ").split():
         try:
-            found.append(float(word))
+            found.append(float(word.replace(decimal_point(), ".")))
         except ValueError:
             raise ParameterError(f"heights must be numbers between blanks, mm, got {word!r}") from None
     return found

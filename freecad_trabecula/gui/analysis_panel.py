@@ -100,7 +100,7 @@ class AnalysisPanel(WorkPanel):
             raise ParameterError("a body to be sliced must be chosen, got none: choose an object or a file")
         wish = Wish(
             self.document.Name, self.fields.value(), source, self.fields.envelope_name(), file,
-            self.fields.unit.currentText(), self.fields.morphometry.isChecked(), self.obj.Name if self.obj else "",
+            self.fields.unit.currentData(), self.fields.morphometry.isChecked(), self.obj.Name if self.obj else "",
         )  # fmt: skip
         return wish.order()
 

@@ -16,6 +16,7 @@ from ..core.analysis.passport import passport
 from ..core.analysis.plots import COLOURS, area_edges, coordinate_edges
 from .chart import Counts, Curve, Diagram
 from .figures import with_powers
+from .language import in_words, local_number, with_decimals
 
 translate = FreeCAD.Qt.translate
 _GREY = "#999999"
@@ -127,11 +128,11 @@ def figures_of(analysis: Analysis) -> Tuple[List[str], List[Row]]:
         (translate("Trabecula", "Spoilt slices"), lambda s: str(s.spoilt_slices)),
         (translate("Trabecula", "Rods"), lambda s: str(s.rods)),
         (translate("Trabecula", "Plates"), lambda s: str(s.plates)),
-        (translate("Trabecula", "Trabecular area, mm²"), lambda s: range_text(s.trabecular_area)),
-        (translate("Trabecula", "Sliced area, mm²"), lambda s: range_text(s.sliced_area)),
-        (translate("Trabecula", "Porosity, %"), lambda s: range_text((100 * s.porosity[0], 100 * s.porosity[1]))),
-        (translate("Trabecula", "Contours"), lambda s: range_text(s.contours)),
-        (translate("Trabecula", "Outer contours"), lambda s: range_text(s.outer_contours)),
+        (translate("Trabecula", "Trabecular area, mm²"), lambda s: _range_text(s.trabecular_area)),
+        (translate("Trabecula", "Sliced area, mm²"), lambda s: _range_text(s.sliced_area)),
+        (translate("Trabecula", "Porosity, %"), lambda s: _range_text((100 * s.porosity[0], 100 * s.porosity[1]))),
+        (translate("Trabecula", "Contours"), lambda s: _range_text(s.contours)),
+        (translate("Trabecula", "Outer contours"), lambda s: _range_text(s.outer_contours)),
         (translate("Trabecula", "Volume by slices, mm³"), lambda s: number_text(s.volume)),
         (translate("Trabecula", "Mean bone fraction, %"), lambda s: number_text(100 * s.mean_bone_fraction)),
     )
@@ -139,8 +140,14 @@ def figures_of(analysis: Analysis) -> Tuple[List[str], List[Row]]:
     whole = analysis.morphometry
     for one in whole.measures if whole is not None else ():
         words = f"{one.symbol}, {one.unit}" if one.unit not in ("", "1") else one.symbol
-        rows.append(Row(words, [number_text(one.value)], f"{one.name}: {one.definition} ({one.source})"))
+        rows.append(
+            Row(words, [number_text(one.value)], f"{in_words(one.name)}: {in_words(one.definition)} ({one.source})")
+        )
     return [translate("Trabecula", "Quantity"), *(title(axis) for axis in axes)], rows
+
+
+def _range_text(limits: Any) -> str:
+    return with_decimals(range_text(limits))
 
 
 def number_text(value: float) -> str:
@@ -151,7 +158,7 @@ def number_text(value: float) -> str:
     >>> number_text(0.123456), number_text(float("nan"))
     ('0.1235', '-')
     """
-    return f"{value:.4g}" if math.isfinite(value) else "-"
+    return local_number(value, ".4g") if math.isfinite(value) else "-"
 
 
 # ------------------------------------------------------------------------------------------------- a comparison
@@ -211,7 +218,9 @@ def passport_of(comparison: Comparison, analyses: Sequence[Analysis]) -> Tuple[L
     rows = []
     for words, *cells in lines:
         for number, name in enumerate(comparison.names):
-            rows.append(Row(f"{with_powers(words)}: {name}", cells[number::count]))
+            rows.append(
+                Row(f"{with_powers(in_words(words))}: {name}", [with_decimals(one) for one in cells[number::count]])
+            )
     for number in range(1, count):
         found = passport(analyses[0], analyses[number])
         tail = f", {comparison.names[number]}" if count > 2 else ""
@@ -220,7 +229,7 @@ def passport_of(comparison: Comparison, analyses: Sequence[Analysis]) -> Tuple[L
             key = (first.of, first.symbol)
             values = [_score(found.axes[axis], key) for axis in axes]
             values.append(number_text(whole[key].value) if key in whole else "")
-            rows.append(Row(f"{first.of}: {first.symbol}{tail}", values, first.definition))
+            rows.append(Row(f"{in_words(first.of)}: {first.symbol}{tail}", values, in_words(first.definition)))
     return [translate("Trabecula", "Quantity"), *(title(axis) for axis in axes), translate("Trabecula", "Whole")], rows
 
 

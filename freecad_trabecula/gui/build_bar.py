@@ -11,6 +11,7 @@ from PySide import QtGui
 from ..core.engines import Estimate
 from .child_work import Progress, time_text
 from .fields import row_widget
+from .language import choice, in_words, local_number
 from .qt import icon
 
 translate = FreeCAD.Qt.translate
@@ -74,10 +75,10 @@ class BuildBar(QtGui.QWidget):
         """Show what the scaffold will take before it is built, at least where that is not little."""
         self._estimate = ""
         if work is not None:
-            size = f"{work.bytes / 1e9:.2f} GB" if work.bytes > 1e8 else f"{work.bytes / 1e6:.0f} MB"
+            size = f"{local_number(work.bytes / 1e9, '.2f')} GB" if work.bytes > 1e8 else f"{work.bytes / 1e6:.0f} MB"
             text = translate("Trabecula", "Scaffold: {} engine, about {}, {}")
-            self._estimate = text.format(work.engine, time_text(work.seconds), size)
-            self.what.setToolTip(work.reason)
+            self._estimate = text.format(choice(work.engine), time_text(work.seconds), size)
+            self.what.setToolTip(in_words(work.reason))
         if self._work.isHidden():
             self.show_idle()
 
@@ -102,7 +103,7 @@ class BuildBar(QtGui.QWidget):
     def show_progress(self, progress: Progress) -> None:
         """Show how far the work is, what is being done, and how long is left."""
         self.bar.setValue(int(1000 * progress.share))
-        text = progress.what
+        text = in_words(progress.what)
         if progress.left is not None:
             text += translate("Trabecula", ", about {} left").format(time_text(progress.left))
         self.what.setText(text)

@@ -13,6 +13,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from PySide import QtCore, QtGui
 
+from .language import local_number
 from .qt import paper_and_ink
 
 _LEFT, _RIGHT, _TOP, _BOTTOM = 58, 12, 22, 34  # pixels around the axes
@@ -70,9 +71,9 @@ class Axis(NamedTuple):
         """Return shares and texts of the ticks."""
         if self.is_log:
             whole = range(math.ceil(self.low - 1e-9), math.floor(self.high + 1e-9) + 1)
-            return [((k - self.low) / (self.high - self.low), f"{10.0**k:g}") for k in whole]
+            return [((k - self.low) / (self.high - self.low), local_number(10.0**k)) for k in whole]
         steps = nice_steps(self.low, self.high)
-        return [((value - self.low) / (self.high - self.low), f"{value:g}") for value in steps]
+        return [((value - self.low) / (self.high - self.low), local_number(value)) for value in steps]
 
 
 def nice_steps(low: float, high: float, count: int = _TICKS) -> List[float]:

@@ -101,12 +101,8 @@ class Command:
     NEEDS: Tuple[str, ...] = ()
 
     def GetResources(self) -> Dict[str, str]:
-        """Return icon, text, tooltip and keys."""
-        resources = {
-            "Pixmap": icon_path(self.ICON),
-            "MenuText": translate(self.NAME, self.TEXT),
-            "ToolTip": translate(self.NAME, self.TIP),
-        }
+        """Return icon, text, tooltip and keys; FreeCAD translates the texts, with the command's name for a context."""
+        resources = {"Pixmap": icon_path(self.ICON), "MenuText": self.TEXT, "ToolTip": self.TIP}
         return {**resources, "Accel": self.KEYS} if self.KEYS else resources
 
     def reason(self) -> str:

@@ -19,6 +19,7 @@ from .couplings_section import CouplingsSection, couplings_summary
 from .edits_list import EditsList
 from .faces_section import FacesSection, faces_summary
 from .fields import ChoiceField, WholeField, row_widget
+from .language import local_number
 from .paths_section import PathsSection, paths_summary
 from .pores_section import PoresSection, pores_summary
 from .prism_section import PrismSection, prism_summary
@@ -114,8 +115,13 @@ class DesignForm:
         kind.layout().addWidget(self.kind.widget, 1)
         for widget in (kind, self.prism, self.faces, self.edits):
             column.addWidget(widget)
-        self._titles = tuple(
-            translate("Trabecula", t) for t in ("Sites", "Pores", "Paths", "Couplings", "Rods", "Scaffold")
+        self._titles = (
+            translate("Trabecula", "Sites"),
+            translate("Trabecula", "Pores"),
+            translate("Trabecula", "Paths"),
+            translate("Trabecula", "Couplings"),
+            translate("Trabecula", "Rods"),
+            translate("Trabecula", "Scaffold"),
         )
         pictures = ("site", "pore", "path", "coupling", "network", "scaffold")
         widgets = (sites, self.pores, self.paths, self.couplings, self.surface, self.scaffold)
@@ -264,5 +270,5 @@ def preset_text(name: str) -> str:
     words = {"prism420": translate("Trabecula", "prism"), "cranial": translate("Trabecula", "craniofacial implant"),
              "femur": translate("Trabecula", "humerus implant")}  # fmt: skip
     title = words.get(name, name.replace("case", translate("Trabecula", "case ")))
-    porosity = f", {thesis.porosity:g} %" if thesis.porosity else ""
+    porosity = f", {local_number(thesis.porosity)} %" if thesis.porosity else ""
     return translate("Trabecula", "{} ({} rods{})").format(title, thesis.rods, porosity)

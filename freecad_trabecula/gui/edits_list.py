@@ -10,6 +10,7 @@ from PySide import QtGui
 
 from ..core.parameters import SiteEdit
 from .fields import Changed, row_widget
+from .language import choice, local_number, place_text
 from .qt import small_button
 
 translate = FreeCAD.Qt.translate
@@ -55,9 +56,9 @@ class EditsList(QtGui.QWidget):
 
 def edit_text(edit: SiteEdit) -> str:
     """Return a change in a few words."""
-    parts = [edit.site, edit.action]
+    parts = [edit.site, choice(edit.action)]
     if edit.point is not None:
-        parts.append("({:.3g}, {:.3g}, {:.3g}) mm".format(*edit.point))
+        parts.append(place_text(edit.point, ".3g"))
     if edit.size is not None:
-        parts.append(f"{edit.size:g} mm")
+        parts.append(f"{local_number(edit.size)} mm")
     return " ".join(parts)

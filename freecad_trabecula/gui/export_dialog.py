@@ -21,6 +21,7 @@ from ..geometry.files import (
     write_shape,
 )
 from ..geometry.mesh_objects import core_mesh
+from .language import local_number
 from .qt import Buttons, run_dialog
 from .transactions import say
 
@@ -100,9 +101,9 @@ def size_text(size: float) -> str:
     """
     for unit in ("B", "kB", "MB"):
         if size < 1000:
-            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+            return f"{size:.0f} {unit}" if unit == "B" else f"{local_number(size, '.1f')} {unit}"
         size /= 1000
-    return f"{size:.2f} GB"
+    return f"{local_number(size, '.2f')} GB"
 
 
 def write_body(obj: Any, path: str) -> None:

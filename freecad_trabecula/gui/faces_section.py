@@ -13,6 +13,7 @@ from ..core.parameters import FaceParameters, Point
 from ..errors import ParameterError
 from .fields import Changed, row_widget
 from .form import Form
+from .language import local_number
 from .qt import small_button
 
 translate = FreeCAD.Qt.translate
@@ -60,7 +61,7 @@ class FacesSection(QtGui.QWidget):
         )
 
     def _lay_out(self) -> None:
-        names = [translate("Trabecula", text) for text in ("Name", "Face", "Sites")]
+        names = [translate("Trabecula", "Name"), translate("Trabecula", "Face"), translate("Trabecula", "Sites")]
         self.table.setHorizontalHeaderLabels(names)
         self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
         self.table.verticalHeader().hide()
@@ -194,6 +195,6 @@ def faces_summary(faces: Sequence[FaceParameters]) -> str:
     """Return one line about faces with sites."""
     if not faces:
         return translate("Trabecula", "no face picked")
-    spacings = sorted({f"{value:g}" for one in faces for value in (one.c_u, one.c_v)})
+    spacings = sorted({local_number(value) for one in faces for value in (one.c_u, one.c_v)})
     names = " ".join(one.label for one in faces)
     return translate("Trabecula", "{}, c = {} mm").format(names, "/".join(spacings))

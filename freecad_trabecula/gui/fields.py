@@ -8,6 +8,7 @@ from typing import Any, Callable, Optional, Sequence, Tuple
 from PySide import QtGui
 
 from ..core.parameters import Point
+from .language import choice
 from .qt import quantity_box, set_length
 
 Changed = Callable[[], None]
@@ -94,25 +95,25 @@ class ChoiceField(Field):
     def __init__(self, choices: Sequence[str], changed: Changed, tip: str = "") -> None:
         box = QtGui.QComboBox()
         super().__init__(box, tip)
-        box.addItems(list(choices))
+        offer_words(choices, box)
         box.currentIndexChanged.connect(lambda *_: changed())
 
     def set_choices(self, choices: Sequence[str]) -> None:
         """Offer other words."""
         self.widget.blockSignals(True)
         self.widget.clear()
-        self.widget.addItems(list(choices))
+        offer_words(choices, self.widget)
         self.widget.blockSignals(False)
 
     def value(self) -> str:
         """Return the word."""
-        return str(self.widget.currentText())
+        return str(self.widget.currentData() or "")
 
     def set_value(self, value: str) -> None:
         """Choose a word; one that is not among the choices is added, so that no file's value is lost."""
-        if self.widget.findText(value) < 0:
-            self.widget.addItem(value)
-        self.widget.setCurrentIndex(self.widget.findText(value))
+        if self.widget.findData(value) < 0:
+            offer_words([value], self.widget)
+        self.widget.setCurrentIndex(self.widget.findData(value))
 
 
 class SwitchField(Field):
@@ -189,6 +190,12 @@ class OptionalPointField(Field):
         self.switch.set_value(value is not None)
         if value is not None:
             self.point.set_value(value)
+
+
+def offer_words(words: Sequence[str], box: Any) -> None:
+    """Add words to a combo box: shown in the language of the window, kept as they are."""
+    for word in words:
+        box.addItem(choice(word), word)
 
 
 def row_widget() -> Any:

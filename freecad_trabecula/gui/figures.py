@@ -12,6 +12,7 @@ from .. import make
 from ..core.report import manual_seconds
 from ..features.network import MOST_DIFFERENCE
 from ..features.relations import products_of
+from .language import choice, filled, in_words, local_number
 
 translate = FreeCAD.Qt.translate
 #: A check as ``core.bodies.Check`` writes it.
@@ -40,7 +41,7 @@ def headline(wireframe: Any) -> str:
     text = translate("Trabecula", "{} rods").format(wireframe.Rods)
     for one in products_of(wireframe):
         if volume_of(one, "ScaffoldVolume"):
-            return text + translate("Trabecula", ", porosity {:.2f} %").format(one.Porosity)
+            return text + filled(translate("Trabecula", ", porosity {:.2f} %"), one.Porosity)
     return text
 
 
@@ -51,11 +52,11 @@ def volume_of(obj: Any, name: str) -> float:
 
 def notes_of(wireframe: Any) -> List[str]:
     """Return what a user must know: warnings, bodies that are out of date or in error, notes of the engines."""
-    notes = list(wireframe.Warnings)
+    notes = [in_words(note) for note in wireframe.Warnings]
     for one in products_of(wireframe):
         if not one.UpToDate or one.Status.startswith("error"):
-            notes.append(f"{one.Label}: {one.Status}")
-        notes += getattr(one, "Notes", [])
+            notes.append(f"{one.Label}: {in_words(one.Status)}")
+        notes += [in_words(note) for note in getattr(one, "Notes", [])]
     return [with_powers(note) for note in notes]
 
 
@@ -75,7 +76,9 @@ def figures_of(wireframe: Any) -> List[Figure]:
     rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods)), *manual_figures(wireframe)]
     for one in products_of(wireframe):
         if hasattr(one, "RodVolume"):
-            rows.append(Figure(translate("Trabecula", "Sum of the rods, mm³"), f"{one.RodVolume.Value:.3f}"))
+            rows.append(
+                Figure(translate("Trabecula", "Sum of the rods, mm³"), local_number(one.RodVolume.Value, ".3f"))
+            )
         elif one.Proxy.KIND == "solid" and one.ScaffoldVolume.Value:
             rows += solid_figures(one)
         elif one.Proxy.KIND == "scaffold" and one.EngineUsed:
@@ -88,7 +91,7 @@ def manual_figures(wireframe: Any) -> List[Figure]:
     if wireframe.ResultKey != wireframe.Proxy.key(wireframe):
         return []
     parameters, rods = wireframe.Proxy.parameters(wireframe), make.wireframe_of(wireframe)
-    text = translate("Trabecula", "{:.1f} h").format(manual_seconds(parameters, rods) / 3600)
+    text = filled(translate("Trabecula", "{:.1f} h"), manual_seconds(parameters, rods) / 3600)
     tip = translate("Trabecula", "30 to 75 s a rod, by curvature and sections (thesis 2.3.3)")
     return [Figure(translate("Trabecula", "Rods by hand (thesis' estimate)"), text, tip)]
 
@@ -98,31 +101,40 @@ def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:
     counted = translate("Trabecula", "{} ({:.3g} mm³)")
     loose, voids = scaffold.LooseVolume.Value, scaffold.VoidVolume.Value
     return [
-        Figure(translate("Trabecula", "Porosity of the scaffold (Eq. 2.2)"), f"{scaffold.Porosity:.3f} %"),
-        Figure(translate("Trabecula", "Union of the rods in the envelope"), f"{scaffold.UnionPorosity:.3f} %"),
-        Figure(translate("Trabecula", "Plain sum of the rods"), f"{scaffold.SumPorosity:.3f} %"),
-        Figure(translate("Trabecula", "Envelope"), f"{scaffold.EnvelopeVolume.Value:.3f} mm³"),
-        Figure(translate("Trabecula", "Scaffold"), f"{scaffold.ScaffoldVolume.Value:.3f} mm³"),
-        Figure(translate("Trabecula", "Channels"), f"{scaffold.ChannelVolume.Value:.3f} mm³"),
-        Figure(translate("Trabecula", "Loose pieces"), counted.format(scaffold.LoosePieces, loose)),
-        Figure(translate("Trabecula", "Voids that no opening reaches"), counted.format(scaffold.Voids, voids)),
+        Figure(translate("Trabecula", "Porosity of the scaffold (Eq. 2.2)"), _text(scaffold.Porosity, ".3f", "%")),
+        Figure(
+            translate("Trabecula", "Union of the rods in the envelope"),
+            _text(scaffold.UnionPorosity, ".3f", "%"),
+        ),
+        Figure(translate("Trabecula", "Plain sum of the rods"), _text(scaffold.SumPorosity, ".3f", "%")),
+        Figure(translate("Trabecula", "Envelope"), _text(scaffold.EnvelopeVolume.Value, ".3f", "mm³")),
+        Figure(translate("Trabecula", "Scaffold"), _text(scaffold.ScaffoldVolume.Value, ".3f", "mm³")),
+        Figure(translate("Trabecula", "Channels"), _text(scaffold.ChannelVolume.Value, ".3f", "mm³")),
+        Figure(translate("Trabecula", "Loose pieces"), filled(counted, scaffold.LoosePieces, loose)),
+        Figure(translate("Trabecula", "Voids that no opening reaches"), filled(counted, scaffold.Voids, voids)),
         Figure(translate("Trabecula", "Connected pieces of the scaffold"), str(scaffold.Pieces)),
         Figure(translate("Trabecula", "Connected channels"), str(scaffold.Openings)),
-        Figure(translate("Trabecula", "Engine"), scaffold.EngineUsed, scaffold.Reason),
-        Figure(translate("Trabecula", "Time"), f"{scaffold.Seconds:.1f} s"),
-        Figure(translate("Trabecula", "Time for a rod"), f"{scaffold.Seconds / max(rods, 1):.3f} s"),
+        Figure(translate("Trabecula", "Engine"), choice(scaffold.EngineUsed), in_words(scaffold.Reason)),
+        Figure(translate("Trabecula", "Time"), _text(scaffold.Seconds, ".1f", "s")),
+        Figure(translate("Trabecula", "Time for a rod"), _text(scaffold.Seconds / max(rods, 1), ".3f", "s")),
     ]
+
+
+def _text(value: float, form: str, unit: str) -> str:
+    return f"{local_number(value, form)} {unit}"
 
 
 def solid_figures(solid: Any) -> List[Figure]:
     """Return the figures of a scaffold as a solid."""
     return [
-        Figure(translate("Trabecula", "STEP scaffold: porosity"), f"{solid.Porosity:.3f} %"),
-        Figure(translate("Trabecula", "STEP scaffold: volume"), f"{solid.ScaffoldVolume.Value:.3f} mm³"),
+        Figure(translate("Trabecula", "STEP scaffold: porosity"), _text(solid.Porosity, ".3f", "%")),
+        Figure(translate("Trabecula", "STEP scaffold: volume"), _text(solid.ScaffoldVolume.Value, ".3f", "mm³")),
         Figure(
-            translate("Trabecula", "STEP scaffold: rods cut"), f"{solid.RodsCut} / {solid.RodsWanted}", solid.Reason
+            translate("Trabecula", "STEP scaffold: rods cut"),
+            f"{solid.RodsCut} / {solid.RodsWanted}",
+            in_words(solid.Reason),
         ),
-        Figure(translate("Trabecula", "STEP scaffold: time"), f"{solid.Seconds:.1f} s"),
+        Figure(translate("Trabecula", "STEP scaffold: time"), _text(solid.Seconds, ".1f", "s")),
     ]
 
 
@@ -137,7 +149,7 @@ def checks_of(wireframe: Any) -> List[Checked]:
     for one in products_of(wireframe):
         name = translate("Trabecula", "{} is up to date and without error").format(one.Label)
         good = bool(one.UpToDate) and not one.Status.startswith("error")
-        rows.append(Checked(name, good, with_powers(one.Status)))
+        rows.append(Checked(name, good, with_powers(in_words(one.Status))))
         if volume_of(one, "RodVolume"):
             name = translate("Trabecula", "Rods as solids and as meshes, mm³")
             rows.append(two_routes(name, one.RodVolume.Value, one.MeshVolume.Value, one.LargestDifference))
@@ -152,7 +164,7 @@ def two_routes(name: str, solid: float, mesh: float, worst: float) -> Checked:
     """Return the check of a volume by the kernel against that of the mesh; ``worst`` is the largest difference, %."""
     most = 100 * MOST_DIFFERENCE
     found = translate("Trabecula", "{:.3f} against {:.3f}, at most {:.3g} % apart (allowed: {:g} %)")
-    return Checked(name, worst <= most, found.format(solid, mesh, worst, most))
+    return Checked(name, worst <= most, filled(found, solid, mesh, worst, most))
 
 
 def checked(text: str) -> Checked:
@@ -165,9 +177,9 @@ def checked(text: str) -> Checked:
     """
     found = _CHECK.match(text)
     if found is None:
-        return Checked(with_powers(text), False, "")
+        return Checked(with_powers(in_words(text)), False, "")
     try:
         ok = float(found["apart"]) <= float(found["most"])
     except ValueError:
         ok = False
-    return Checked(with_powers(found["name"]), ok, with_powers(found["found"]))
+    return Checked(with_powers(in_words(found["name"])), ok, with_powers(in_words(found["found"])))

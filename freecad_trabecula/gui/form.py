@@ -23,6 +23,7 @@ from .fields import (
     WholeField,
     row_widget,
 )
+from .language import description
 from .law_field import LawField
 
 _MOST = 2**31 - 1
@@ -51,7 +52,7 @@ def field_for(cls: type, name: str, changed: Changed, step: float = 0.1) -> Fiel
     """
     declared = {f.name: f for f in dataclasses.fields(cls)}[name]
     hint, meta = typing.get_type_hints(cls)[name], declared.metadata
-    unit, tip = meta["unit"], meta["doc"]
+    unit, tip = meta["unit"], description(meta["doc"])
     if hint is str:
         return ChoiceField(meta["choices"], changed, tip) if "choices" in meta else TextField(changed, tip)
     if hint is int:

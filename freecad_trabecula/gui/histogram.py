@@ -8,6 +8,8 @@ from typing import Any, Sequence
 import numpy as np
 from PySide import QtCore, QtGui
 
+from .language import local_number
+
 _LEFT, _RIGHT, _BOTTOM, _TOP = 30, 24, 34, 6  # pixels around the bars
 _FILL, _LINE = "#cfa765", "#7c3a1e"
 
@@ -62,5 +64,5 @@ class Histogram(QtGui.QWidget):
         for share in (0.0, 0.5, 1.0):
             value = self._edges[0] + share * (self._edges[-1] - self._edges[0])
             x = box.left() + share * box.width()
-            painter.drawText(QtCore.QRectF(x - 30, box.bottom() + 2, 60, 14), centre, f"{value:.3g}")
+            painter.drawText(QtCore.QRectF(x - 30, box.bottom() + 2, 60, 14), centre, local_number(value, ".3g"))
         painter.drawText(QtCore.QRectF(box.left(), box.bottom() + 16, box.width(), 16), centre, self._label)

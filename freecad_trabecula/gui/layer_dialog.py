@@ -14,6 +14,7 @@ from ..errors import Cancelled, ParameterError
 from ..geometry.voxel_shapes import ShapeEstimate, shape_estimate
 from .child_work import time_text
 from .export_dialog import size_text
+from .language import in_words
 from .qt import Buttons, run_dialog
 from .transactions import transaction
 
@@ -81,7 +82,7 @@ class LayerDialog(QtGui.QDialog):
                 f"{work.corners:,}", time_text(work.seconds), size_text(work.memory), size_text(work.step)
             )
         except ParameterError as error:
-            work, text = None, str(error)
+            work, text = None, in_words(str(error))
         self.estimate.setText(text)
         self.buttons.button(Buttons.Ok).setEnabled(work is not None)
 
@@ -121,7 +122,7 @@ def make_shapes(obj: Any, layers: range, solid: bool) -> Any:
             raise Cancelled("the layers were not to be made")
 
     try:
-        with transaction(obj.Document, "Layer shapes"):
+        with transaction(obj.Document, translate("Trabecula", "Layer shapes")):
             found = make.make_layer_shapes(obj, layers, solid, progress)
     finally:
         bar.close()

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 from .drawing import SIZE_COLOURS
 from .fields import ChoiceField, row_widget
+from .language import filled, in_words, local_number
 from .preview import COLOURINGS
 from .preview_worker import Estimate, Outline
 
@@ -91,19 +92,19 @@ class Outcome(QtGui.QWidget):
         rods = translate("Trabecula", "{} rods").format(self._outline.rods if self._outline else 0)
         porosity = translate("Trabecula", "porosity ≈ {} %").format(porosity_text(estimate))
         self.headline.setText(f"<b>{rods}, {porosity}</b>")
-        plain = translate("Trabecula", "sum of the rods {:.1f} %").format(100 * estimate.plain_sum)
+        plain = filled(translate("Trabecula", "sum of the rods {:.1f} %"), 100 * estimate.plain_sum)
         mended = mended_text(self._outline) if self._outline else ""
         if not estimate.is_mended:
             mended = translate("Trabecula", "faulty rods are being mended …")
         self.details.setText(f"{plain}, {mended}" if mended else plain)
-        self._say("\n".join(estimate.warnings), ORANGE)
+        self._say("\n".join(in_words(warning) for warning in estimate.warnings), ORANGE)
 
     def show_error(self, text: str) -> None:
         """Say why there is no preview."""
         self.headline.setText(f"<b>{translate('Trabecula', 'No preview')}</b>")
         self.details.hide()
         self._outline = None
-        self._say(text, RED)
+        self._say(in_words(text), RED)
 
     def _say(self, text: str, colour: str) -> None:
         lines = escape(text).replace("\n", "<br>")
@@ -120,7 +121,8 @@ def porosity_text(estimate: Estimate) -> str:
     '36.12 ± 0.04'
     """
     digits = 2 if estimate.error < 1e-3 else 1
-    return f"{100 * estimate.porosity:.{digits}f} ± {max(100 * estimate.error, 10**-digits):.{digits}f}"
+    form, error = f".{digits}f", max(100 * estimate.error, 10**-digits)
+    return f"{local_number(100 * estimate.porosity, form)} ± {local_number(error, form)}"
 
 
 def mended_text(outline: Outline) -> str:
@@ -150,7 +152,7 @@ class ColourScale(QtGui.QWidget):
     def paintEvent(self, event: Any) -> None:
         """Paint the bar between its two numbers."""
         painter = QtGui.QPainter(self)
-        texts = [f"{size:.2f}" for size in self._sizes]
+        texts = [local_number(size, ".2f") for size in self._sizes]
         texts[1] += " mm"
         widths = [painter.fontMetrics().boundingRect(text).width() + 6 for text in texts]
         box = QtCore.QRect(0, 0, self.width(), self.height())

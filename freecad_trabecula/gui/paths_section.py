@@ -11,6 +11,7 @@ from PySide import QtGui
 from ..core.parameters import PathParameters, Point
 from .fields import Changed, PointField, row_widget
 from .form import Form
+from .language import choice, local_number
 from .pores_section import law_text
 from .qt import small_button
 
@@ -139,7 +140,7 @@ class PointsList(QtGui.QWidget):
 def paths_summary(path: PathParameters) -> str:
     """Return one line about paths."""
     if path.kind == "box":
-        return "box {:g} × {:g} × {:g} mm".format(*path.box)
+        return f"{choice(path.kind)} {' × '.join(local_number(edge) for edge in path.box)} mm"
     if path.kind == "tension":
-        return f"tension {law_text(path.tension_first)}, {law_text(path.tension_second)} mm"
-    return path.kind
+        return f"{choice(path.kind)} {law_text(path.tension_first)}, {law_text(path.tension_second)} mm"
+    return choice(path.kind)

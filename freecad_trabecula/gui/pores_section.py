@@ -9,6 +9,7 @@ from ..core.laws import Law
 from ..core.parameters import PoreParameters
 from .fields import Changed
 from .form import Form
+from .language import choice, local_number
 
 translate = FreeCAD.Qt.translate
 
@@ -43,14 +44,14 @@ class PoresSection(Form):
 def pores_summary(pores: PoreParameters) -> str:
     """Return one line about pores."""
     sections = translate("Trabecula", "1 section") if pores.sections == 1 else translate("Trabecula", "2 sections")
-    return f"{pores.layout}, {law_text(pores.size)} mm, {sections}"
+    return f"{choice(pores.layout)}, {law_text(pores.size)} mm, {sections}"
 
 
 def law_text(law: Law) -> str:
     """Return a law in a few characters."""
     if law.kind == "constant":
-        return f"{law.low:g}"
+        return local_number(law.low)
     if law.kind == "expression":
         return law.expression
-    words = {"uniform": "", "normal": "normal ", "linear": "linear ", "radial": "radial "}
-    return f"{words[law.kind]}{law.low:g}–{law.high:g}"
+    kind = "" if law.kind == "uniform" else choice(law.kind) + " "
+    return f"{kind}{local_number(law.low)}–{local_number(law.high)}"

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from ..core.parameters import PrismParameters
 from .fields import Changed, Field
 from .form import field_for
+from .language import local_number
 
 translate = FreeCAD.Qt.translate
 
@@ -99,4 +100,4 @@ def prism_summary(prism: PrismParameters) -> str:
     """Return one line about the sites of a prism."""
     counts = " × ".join(str(n) for _, _, n, _ in prism.axes)
     borders = sorted({a for _, _, _, a in prism.axes})
-    return f"{counts}, a = {'/'.join(f'{a:g}' for a in borders)} mm"
+    return f"{counts}, a = {'/'.join(map(local_number, borders))} mm"

@@ -13,6 +13,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from . import language  # noqa: F401  its translations come before the first text
 from .help_pages import CONTENTS, GLOSSARY
 
 translate = FreeCAD.Qt.translate

@@ -21,6 +21,7 @@ from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
 from ..features.relations import wireframe_of
 from ..features.voxel_design import VoxelDesign
 from .child_work import ChildWork, Progress, task_work, time_text
+from .language import in_words
 from .qt import invoke_later
 
 translate = FreeCAD.Qt.translate
@@ -214,7 +215,7 @@ class WorkBar(QtGui.QWidget):
         """Show how far it is."""
         self.bar.setValue(int(1000 * progress.share))
         left = translate("Trabecula", ", {} left").format(time_text(progress.left)) if progress.left else ""
-        self.what.setText(progress.what + left)
+        self.what.setText(in_words(progress.what) + left)
 
 
 _recomputing: List[Recomputing] = []

@@ -18,6 +18,7 @@ from .accordion import Accordion
 from .export_dialog import export_design
 from .figures import Checked, checks_of, figures_of, headline, notes_of
 from .histogram import Histogram
+from .language import in_words, local_number
 from .looks import look_of
 from .outcome import GREEN, ORANGE, RED
 from .qt import Buttons, PanelForm, flags_of, icon, invoke_later, widen_dock
@@ -94,7 +95,7 @@ class ResultsPanel:
         self._show_recoveries(records_of(obj.Recoveries, Recovery, "recovery"))
         self.histogram.set_values(obj.PoreSizes)
         sizes = list(obj.PoreSizes) or [0.0]
-        self.sections.set_summary(2, f"{min(sizes):.2f}–{max(sizes):.2f} mm")
+        self.sections.set_summary(2, f"{local_number(min(sizes), '.2f')}–{local_number(max(sizes), '.2f')} mm")
 
     def _show_couplings(self, rows: Sequence[CouplingRow]) -> None:
         titles = (translate("Trabecula", "Faces"), translate("Trabecula", "Available"),
@@ -107,7 +108,7 @@ class ResultsPanel:
     def _show_recoveries(self, mended: Sequence[Recovery]) -> None:
         titles = (translate("Trabecula", "Rod"), translate("Trabecula", "Fault"),
                   translate("Trabecula", "Remedy"), translate("Trabecula", "Attempts"))  # fmt: skip
-        fill(self.recoveries, titles, [(r.rod, r.fault, r.remedy, str(r.attempts)) for r in mended])
+        fill(self.recoveries, titles, [(r.rod, in_words(r.fault), in_words(r.remedy), str(r.attempts)) for r in mended])
         self.sections.set_summary(4, str(len(mended)) if mended else translate("Trabecula", "none"))
 
     def _offer_bodies(self) -> None:

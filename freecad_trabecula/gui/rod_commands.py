@@ -28,7 +28,6 @@ from .task_panels import wireframes
 from .transactions import say, transaction
 
 translate = FreeCAD.Qt.translate
-_JOB_FILES = "Trabecula job (*.json)"
 
 
 def _wireframe() -> Any:
@@ -69,7 +68,9 @@ class LoadPreset(PanelCommand):
         self._preset = preset_name
         self.NAME = "Trabecula_Preset_" + preset_name
         self.TEXT = preset_text(preset_name)
-        self.TIP = "Start from this design of the thesis. Select nothing: it brings its own body"
+        self.TIP = translate(
+            "Trabecula", "Start from this design of the thesis. Select nothing: it brings its own body"
+        )
 
     def run(self, index: int) -> None:
         """Open the panel."""
@@ -234,7 +235,7 @@ class OpenJob(PanelCommand):
     def run(self, index: int) -> None:
         """Ask for a file and open the panel."""
         path, _ = QtGui.QFileDialog.getOpenFileName(
-            FreeCADGui.getMainWindow(), translate("Trabecula", "Open job"), "", _JOB_FILES
+            FreeCADGui.getMainWindow(), translate("Trabecula", "Open job"), "", _job_files()
         )
         if path:
             panels.open_job(document_or_new(), path)
@@ -256,12 +257,16 @@ class SaveJob(Command):
         scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
         text = job_to_json(job_of(wireframe, scaffold))
         path, _ = QtGui.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(), translate("Trabecula", "Save job"), "", _JOB_FILES
+            FreeCADGui.getMainWindow(), translate("Trabecula", "Save job"), "", _job_files()
         )
         if path:
             with replacing(path) as part:
                 Path(part).write_text(text, encoding="utf-8")
             say(translate("Trabecula", "{} was written").format(path))
+
+
+def _job_files() -> str:
+    return translate("Trabecula", "Trabecula job") + " (*.json)"
 
 
 def switch_view(wireframe: Any) -> None:
@@ -277,7 +282,7 @@ def switch_view(wireframe: Any) -> None:
     if not channels:
         raise ParameterError("channels can be shown once a scaffold is built, got none: build the scaffold first")
     to_channels = not any(one.ViewObject.Visibility for one in channels)
-    with transaction(wireframe.Document, "Rods or channels"):
+    with transaction(wireframe.Document, translate("Trabecula", "Rods or channels")):
         for one in parts:
             one.ViewObject.Visibility = one in (channels if to_channels else rods)
         for one in rods:

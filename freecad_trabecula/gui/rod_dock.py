@@ -13,6 +13,7 @@ from PySide import QtCore, QtGui
 from ..core.wireframe import Wireframe
 from ..errors import TrabeculaError
 from ..features.relations import type_of, wireframe_of
+from .language import in_words, local_number, place_text
 from .qt import help_buttons, icon
 
 translate = FreeCAD.Qt.translate
@@ -105,19 +106,22 @@ def rod_facts(wireframe: Wireframe, number: int) -> List[Tuple[str, str]]:
     coupling = wireframe.rows[_row_of(wireframe, number)] if wireframe.rows else None
     ends = (wireframe.ends.first, wireframe.ends.second if wireframe.ends.rolls else wireframe.ends.first)
     faces = (coupling.first, coupling.second) if coupling else ("", "")
-    words = (translate("Trabecula", "First"), translate("Trabecula", "Second"))
+    words = (translate("Trabecula", "First site"), translate("Trabecula", "Second site"))
     for word, face, site, pores in zip(words, faces, wireframe.site_numbers[number], ends):
         point = wireframe.sites[face].points[site] if face in wireframe.sites else None
         if point is not None:
-            rows.append((f"{word} site", wireframe.sites[face].names[site]))
-            rows.append((translate("Trabecula", "  at"), "({:.3f}, {:.3f}, {:.3f}) mm".format(*point)))
+            rows.append((word, wireframe.sites[face].names[site]))
+            rows.append((translate("Trabecula", "  at"), place_text(point, ".3f")))
         one = pores.take(np.array([number]))
-        rows.append((translate("Trabecula", "  size"), f"{one.size[0]:.4f} mm"))
-        rows.append((translate("Trabecula", "  area"), f"{one.areas[0]:.4f} mm²"))
-    rows.append((translate("Trabecula", "Length"), f"{_length(wireframe.paths[number]):.3f} mm"))
+        rows.append((translate("Trabecula", "  size"), f"{local_number(one.size[0], '.4f')} mm"))
+        rows.append((translate("Trabecula", "  area"), f"{local_number(one.areas[0], '.4f')} mm²"))
+    length = local_number(_length(wireframe.paths[number]), ".3f")
+    rows.append((translate("Trabecula", "Length"), f"{length} mm"))
     for one in wireframe.recoveries:
         if one.rod == wireframe.names[number]:
-            rows.append((translate("Trabecula", "Mended"), f"{one.fault}: {one.remedy} ({one.attempts})"))
+            rows.append(
+                (translate("Trabecula", "Mended"), f"{in_words(one.fault)}: {in_words(one.remedy)} ({one.attempts})")
+            )
     if wireframe.names[number] in wireframe.outside:
         rows.append((translate("Trabecula", "Outside"), translate("Trabecula", "leaves the envelope")))
     return rows

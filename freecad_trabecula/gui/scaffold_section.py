@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from ..core.parameters import LayerParameters, RodParameters, ScaffoldParameters
 from .fields import Changed
 from .form import Form
+from .language import choice, local_number
 
 translate = FreeCAD.Qt.translate
 
@@ -161,5 +162,5 @@ class SurfaceSection(Form):
 
 def surface_summary(rods: RodParameters) -> str:
     """Return one line about the surface of the rods."""
-    deflection = f"{rods.deflection:g} mm" if rods.deflection else "auto"
+    deflection = f"{local_number(rods.deflection)} mm" if rods.deflection else choice("auto")
     return translate("Trabecula", "deflection {}, {} stations").format(deflection, rods.stations)

@@ -14,6 +14,7 @@ from ..core.wireframe import Wireframe
 from ..features.relations import type_of, wireframe_of
 from .edits_list import EditsList
 from .fields import ChoiceField, NumberField, PointField
+from .language import in_words
 from .pore_drawing import PoreDrawing
 from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
 from .rod_dock import computed_wireframe
@@ -73,16 +74,16 @@ class SitePanel:
         self._turns_row = QtGui.QWidget()
         QtGui.QHBoxLayout(self._turns_row).setContentsMargins(0, 0, 0, 0)
         grid.addRow(translate("Trabecula", "Tangents"), self._turns_row)
-        grid.addRow(self._button("Set pore", self._set_pore))
+        grid.addRow(self._button(translate("Trabecula", "Set pore"), self._set_pore))
         grid.addRow(translate("Trabecula", "Place"), self.point.widget)
-        grid.addRow(self._button("Move site", self._move))
-        grid.addRow(self._button("Switch site off", self._switch_off))
+        grid.addRow(self._button(translate("Trabecula", "Move site"), self._move))
+        grid.addRow(self._button(translate("Trabecula", "Switch site off"), self._switch_off))
         grid.addRow(self.edits)
         return form
 
     @staticmethod
     def _button(text: str, pressed: Any) -> Any:
-        button = QtGui.QPushButton(translate("Trabecula", text))
+        button = QtGui.QPushButton(text)
         button.clicked.connect(lambda *_: pressed())
         return button
 
@@ -148,7 +149,7 @@ class SitePanel:
             record(f"wireframe = FreeCAD.getDocument({document.Name!r}).getObject({self.obj.Name!r})")
             record(f"make.{call}")
         self._fill()
-        say(self.obj.Status)
+        say(in_words(self.obj.Status))
 
     def _set_pore(self) -> None:
         turns = tuple(field.value() for field in self.turns)

@@ -11,6 +11,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ..errors import Cancelled, DependencyError, TrabeculaError
+from .language import in_words
 
 translate = FreeCAD.Qt.translate
 
@@ -37,9 +38,9 @@ def told() -> Iterator[None]:
     except DependencyError as error:
         from .install import offer_installation
 
-        offer_installation(str(error))
+        offer_installation(in_words(str(error)))
     except TrabeculaError as error:
-        show_error(str(error))
+        show_error(in_words(str(error)))
 
 
 def show_error(text: str) -> None:

@@ -19,6 +19,7 @@ from ..features.relations import type_of
 from ..features.voxel_design import design_at_hand
 from .chart import Chart, Diagram
 from .fields import row_widget
+from .language import in_words
 from .layer_view import LayerView
 from .object_choice import ObjectChoice
 from .object_dock import ObjectDock
@@ -107,7 +108,7 @@ class VoxelDock(ObjectDock):
             if mark is None or mark != self._shown:  # counted once
                 self.layers = Layers(make.voxel_design_of(obj)) if obj is not None else None
         except TrabeculaError as error:
-            self.layers, self._notice = None, str(error)
+            self.layers, self._notice = None, in_words(str(error))
         self._shown = mark
         self._offer_layers()
         self._show_chart()

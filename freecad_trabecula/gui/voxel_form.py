@@ -15,11 +15,12 @@ from ..features.voxel_design import SURFACES
 from .accordion import Accordion
 from .fields import ChoiceField, NumberField, row_widget
 from .form import Form
+from .language import choice, description, in_words
 from .object_choice import ObjectChoice
 from .qt import icon, small_button
 
 translate = FreeCAD.Qt.translate
-_FILES = "Samples (*.stl *.obj *.ply *.3mf *.csv *.json *.npy *.nrrd *.tif *.tiff)"
+_FILES = "(*.stl *.obj *.ply *.3mf *.csv *.json *.npy *.nrrd *.tif *.tiff)"
 _SEED = (("seed", translate("Trabecula", "Seed"), 1),)
 _OPTIONS = (
     ("wavelength", translate("Trabecula", "Wavelengths"), 0.1),
@@ -69,8 +70,8 @@ class VoxelForm(QtGui.QWidget):
         self.surface = ChoiceField(SURFACES, self._report, translate(
             "Trabecula", "Blocks keep volume and areas exactly; smooth keeps the volume"))  # fmt: skip
         for number, name in enumerate(strategy_names()):
-            self.strategy.addItem(name)
-            self.strategy.setItemData(number, find_strategy(name).SUMMARY, QtCore.Qt.ToolTipRole)
+            self.strategy.addItem(choice(name), name)
+            self.strategy.setItemData(number, in_words(find_strategy(name).SUMMARY), QtCore.Qt.ToolTipRole)
         self._lay_out()
         for box in (self.source, self.envelope, self.strategy):
             box.currentIndexChanged.connect(lambda *_: self._report())
@@ -126,19 +127,22 @@ class VoxelForm(QtGui.QWidget):
 
     def _show_what_matters(self) -> None:
         """Show the choices that the strategy heeds, and one edge of a cube."""
-        module = find_strategy(self.strategy.currentText())
+        module = find_strategy(self.strategy.currentData())
         for name in self.options.fields:
             self.options.show_row(name, name in module.OPTIONS)
         takes_mask = "boundary" in module.OPTIONS
         self.envelope.setEnabled(takes_mask)
         self.boundary.setEnabled(takes_mask and bool(self.envelope_name()))
-        self.strategy.setToolTip(module.SUMMARY)
+        self.strategy.setToolTip(in_words(module.SUMMARY))
         for field in self.edges[1:]:
             field.widget.setVisible(not self.is_cube.isChecked())
 
     def _ask_file(self, *_: Any) -> None:
         path, _ = QtGui.QFileDialog.getOpenFileName(
-            FreeCADGui.getMainWindow(), translate("Trabecula", "Sample of a voxel design"), "", _FILES
+            FreeCADGui.getMainWindow(),
+            translate("Trabecula", "Sample of a voxel design"),
+            "",
+            translate("Trabecula", "Samples") + " " + _FILES,
         )
         if path:
             self.source.set_file(path)
@@ -172,7 +176,7 @@ class VoxelForm(QtGui.QWidget):
         for field, edge in zip(self.edges, parameters.size):
             field.set_value(edge)
         self.is_cube.setChecked(len(set(parameters.size)) == 1)
-        self.strategy.setCurrentIndex(self.strategy.findText(parameters.strategy))
+        self.strategy.setCurrentIndex(self.strategy.findData(parameters.strategy))
         self.surface.set_value(surface)
         self._showing = False
         self._report()
@@ -193,8 +197,8 @@ class VoxelForm(QtGui.QWidget):
         values = {}
         for form in self._forms():
             values.update(form.values())
-        return VoxelParameters(size=self.size(), strategy=self.strategy.currentText(), **values)
+        return VoxelParameters(size=self.size(), strategy=self.strategy.currentData(), **values)
 
 
 def _doc(name: str) -> str:
-    return VoxelParameters.__dataclass_fields__[name].metadata["doc"]
+    return description(VoxelParameters.__dataclass_fields__[name].metadata["doc"])

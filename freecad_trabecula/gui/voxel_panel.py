@@ -17,6 +17,7 @@ from ..features.voxel_design import VoxelDesign
 from ..features.voxel_inputs import inputs_of
 from .analysis_form import is_sliceable
 from .document_work import Order, write_step
+from .language import in_words
 from .voxel_dock import show_layers
 from .voxel_form import VoxelForm
 from .work_panel import WorkPanel
@@ -123,7 +124,7 @@ class VoxelPanel(WorkPanel):
 
     def _estimate(self) -> str:
         parameters = self.fields.value()
-        return make.estimate_voxel_design(self._sample(), parameters).words
+        return in_words(make.estimate_voxel_design(self._sample(), parameters).words)
 
     def order(self) -> Order:
         """Return what is to be designed.

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any, Callable, Optional, Tuple
 
 import FreeCAD
@@ -12,6 +13,7 @@ from PySide import QtGui
 from ..errors import TrabeculaError
 from .build_bar import BuildBar
 from .document_work import DocumentWork, Order
+from .language import in_words
 from .outcome import RED
 from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
 from .transactions import told
@@ -81,7 +83,7 @@ class WorkPanel:
 
     def refuse(self, error: TrabeculaError) -> None:
         """Show what is wrong."""
-        self.message.setText(f'<span style="color:{RED}">{error}</span>')
+        self.message.setText(f'<span style="color:{RED}">{escape(in_words(str(error)))}</span>')
 
     # ------------------------------------------------------------------------------------------------------ the work
 
@@ -123,7 +125,7 @@ class WorkPanel:
         self.obj = obj
         if self._open:
             self.lock_source(True)
-            self.message.setText(obj.Status)
+            self.message.setText(in_words(obj.Status))
         self._show(obj)
         if self._closes and self._open:
             self._leave()

@@ -1,0 +1,7893 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>0 makes sheets, 1 makes rods of the texture; -1: fitted to the sample, or 0.3 without one</source>
+        <translation>0 ergibt Lamellen, 1 Stäbe der Textur; -1: an die Probe angepasst, ohne Probe 0,3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>A contour that fills so much of its box is a rod, else a plate</source>
+        <translation>Eine Kontur, die so viel ihres Rechtecks füllt, ist ein Stab, sonst eine Platte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Axes along which the number of trabeculae per layer is a target too</source>
+        <translation>Achsen, entlang denen auch die Zahl der Trabekel je Schicht ein Zielwert ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Axes of the planes: x, y, z, or a direction such as 0.6,0.8,0</source>
+        <translation>Achsen der Ebenen: x, y, z oder eine Richtung wie 0.6,0.8,0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
+        <translation>Blöcke halten Volumen und Flächen genau ein; glatt hält das Volumen ein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Body and face of the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Body within which voxels may lie; none: the sample's box</source>
+        <translation>Körper, in dem Voxel liegen dürfen; keiner: der Quader der Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Cell of the field engine</source>
+        <translation>Zelle des Feldverfahrens</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Changes of single sites by hand, a JSON record a line: {"site": "Face1.2.3", "action": "off"}</source>
+        <translation>Änderungen einzelner Stellen von Hand, je Zeile ein JSON-Datensatz: {"site": "Face1.2.3", "action": "off"}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Closed contours of a shorter perimeter are left out</source>
+        <translation>Geschlossene Konturen mit kleinerem Umfang werden weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Co-ordinates of planes, mm; with at = heights</source>
+        <translation>Koordinaten der Ebenen in mm; mit at = heights</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Co-ordinates of the planes along the axis, ascending</source>
+        <translation>Koordinaten der Ebenen entlang der Achse, aufsteigend</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Compact layers</source>
+        <translation>Kompakte Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Compatible tables by construction, or by the thesis' try-and-repeat</source>
+        <translation>Verträgliche Tabellen durch Konstruktion oder durch Versuch und Wiederholung wie in der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner</source>
+        <translation>Komponente der Einheitstangente an jeder Ecke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: direction in which a linear law grows</source>
+        <translation>Komponente der Einheitstangente an jeder Ecke: Richtung, in der ein lineares Gesetz wächst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Komponente der Einheitstangente an jeder Ecke: Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: how it varies over the design</source>
+        <translation>Komponente der Einheitstangente an jeder Ecke: wie es sich über den Entwurf ändert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Komponente der Einheitstangente an jeder Ecke: der feste Wert oder der kleinste; linear, radial: am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: the greatest value; linear, radial: at the end</source>
+        <translation>Komponente der Einheitstangente an jeder Ecke: der größte Wert; linear, radial: am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Connected parts (6 neighbours)</source>
+        <translation>Zusammenhängende Teile (6 Nachbarn)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Connected pieces of the channels</source>
+        <translation>Zusammenhängende Teile der Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Connected pieces of the scaffold</source>
+        <translation>Zusammenhängende Teile des Gerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Contacts by a corner alone</source>
+        <translation>Kontakte nur über eine Ecke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Contacts by an edge alone</source>
+        <translation>Kontakte nur über eine Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Contacts that are avoided: none by an edge alone, or none by an edge or a corner alone; any: all are allowed</source>
+        <translation>Kontakte, die vermieden werden: keine nur über eine Kante, oder keine nur über Kante oder Ecke; alle erlaubt: jeder Kontakt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Contours are offset by this into the material (tool compensation)</source>
+        <translation>Konturen werden um diesen Betrag ins Material versetzt (Werkzeugkorrektur)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Contours of all slices that are counted</source>
+        <translation>Gezählte Konturen aller Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Contours of no more area are not counted</source>
+        <translation>Konturen mit nicht mehr Fläche werden nicht gezählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Convergence points; none means the centre of the envelope</source>
+        <translation>Konvergenzpunkte; keiner bedeutet die Mitte des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Corners of the spline; with 4 they lie on the square, else on a polygon of its area</source>
+        <translation>Ecken des Splines; bei 4 liegen sie auf dem Quadrat, sonst auf einem Vieleck seiner Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Count of faces; points on the face and normals there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Cross-sections of a rod: one all along, or one at each end</source>
+        <translation>Querschnitte eines Stabs: einer auf ganzer Länge oder einer an jedem Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: direction in which a linear law grows</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken: Richtung, in der ein lineares Gesetz wächst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken: Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: how it varies over the design</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken: wie es sich über den Entwurf ändert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken: der feste Wert oder der kleinste; linear, radial: am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: the greatest value; linear, radial: at the end</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken: der größte Wert; linear, radial: am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Difference between both volumes, %</source>
+        <translation>Unterschied beider Volumen, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line u; none means the face's own</source>
+        <translation>Richtung der Koordinatenlinie u; keine bedeutet die der Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line u; none means the face's own (the zero vector) (d1)</source>
+        <translation>Richtung der Koordinatenlinie u; keine bedeutet die der Fläche (der Nullvektor) (d1)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line v; none means across d1</source>
+        <translation>Richtung der Koordinatenlinie v; keine bedeutet quer zu d1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line v; none means across d1 (the zero vector) (d2)</source>
+        <translation>Richtung der Koordinatenlinie v; keine bedeutet quer zu d1 (der Nullvektor) (d2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Distance of triangles from a solid; 0: chosen</source>
+        <translation>Abstand der Dreiecke von einem Volumenkörper; 0: wird gewählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Edges dx, dy, dz of a voxel; one number makes a cube</source>
+        <translation>Kanten dx, dy, dz eines Voxels; eine Zahl ergibt einen Würfel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Edges of the box for the random middle point (Eq. 3.1)</source>
+        <translation>Kanten des Quaders für den zufälligen Mittelpunkt (Gl. 3.1)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Engine that cut the channels</source>
+        <translation>Verfahren, mit dem die Kanäle geschnitten wurden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Face at which the rods start</source>
+        <translation>Fläche, an der die Stäbe beginnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Face at which they end</source>
+        <translation>Fläche, an der sie enden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Face of the envelope</source>
+        <translation>Fläche des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Face of the envelope, as FreeCAD names it</source>
+        <translation>Fläche des Hüllkörpers, wie FreeCAD sie nennt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Faces to be thickened; none means no layer</source>
+        <translation>Flächen, die verdickt werden; keine bedeutet: keine Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Field of the strategies by-field and best-tables: voxels lie where it is high</source>
+        <translation>Feld der Strategien nach Feld und beste zu Tabellen: Voxel liegen, wo es hoch ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Gap fill: largest gap of an open contour that is closed</source>
+        <translation>Lücken schließen: größte Lücke einer offenen Kontur, die geschlossen wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Gap fill: rounds of closing</source>
+        <translation>Lücken schließen: Anzahl der Durchgänge</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Greatest distance of the triangles from the true rod; 0 chooses 1/40 of the mean size</source>
+        <translation>Größter Abstand der Dreiecke vom wahren Stab; 0 wählt 1/40 der mittleren Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Greatest number of rods; 0 means as many as the smaller face has sites</source>
+        <translation>Größte Zahl von Stäben; 0 bedeutet so viele, wie die kleinere Fläche Stellen hat</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Hash of the numbers of each rod</source>
+        <translation>Prüfsumme der Zahlen jedes Stabs</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Height along Z</source>
+        <translation>Höhe entlang Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>How a row of a table is drawn: in proportion to what the columns still need, or uniformly as in the thesis</source>
+        <translation>Wie eine Tabellenzeile gezogen wird: anteilig zu dem, was die Spalten noch brauchen, oder gleichverteilt wie in der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>How rounded counts are brought to one total: largest remainders, or the thesis' random layers</source>
+        <translation>Wie gerundete Anzahlen auf eine Summe gebracht werden: größte Reste oder die zufälligen Schichten der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>How the layers are filled</source>
+        <translation>Wie die Schichten gefüllt werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Keep pieces that channels cut off all round, and closed voids as they are</source>
+        <translation>Teile, die Kanäle ringsum abtrennen, und geschlossene Hohlräume behalten, wie sie sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Key of the inputs of the result</source>
+        <translation>Schlüssel der Eingaben des Ergebnisses</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Largest difference of one rod, %</source>
+        <translation>Größter Unterschied eines Stabs, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Layers along X (N)</source>
+        <translation>Schichten entlang X (N)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Layers along Y (M)</source>
+        <translation>Schichten entlang Y (M)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Layers along Z (P)</source>
+        <translation>Schichten entlang Z (P)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along u</source>
+        <translation>Mindestabstand vom Rand entlang u</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along u (b_u)</source>
+        <translation>Mindestabstand vom Rand entlang u (b_u)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along v</source>
+        <translation>Mindestabstand vom Rand entlang v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along v (b_v)</source>
+        <translation>Mindestabstand vom Rand entlang v (b_v)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along X</source>
+        <translation>Mindestabstand der Stellen von den Rändern entlang X</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along X (a_x)</source>
+        <translation>Mindestabstand der Stellen von den Rändern entlang X (a_x)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Y</source>
+        <translation>Mindestabstand der Stellen von den Rändern entlang Y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Y (a_y)</source>
+        <translation>Mindestabstand der Stellen von den Rändern entlang Y (a_y)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Z</source>
+        <translation>Mindestabstand der Stellen von den Rändern entlang Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Z (a_z)</source>
+        <translation>Mindestabstand der Stellen von den Rändern entlang Z (a_z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Least thickness in voxels</source>
+        <translation>Mindestdicke in Voxeln</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Least void between solid in voxels</source>
+        <translation>Mindesthohlraum zwischen Material, in Voxeln</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length along X</source>
+        <translation>Länge entlang X</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve</source>
+        <translation>Länge der Tangente am ersten Ende einer 2-Punkt-Kurve</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: direction in which a linear law grows</source>
+        <translation>Länge der Tangente am ersten Ende einer 2-Punkt-Kurve: Richtung, in der ein lineares Gesetz wächst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Länge der Tangente am ersten Ende einer 2-Punkt-Kurve: Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: how it varies over the design</source>
+        <translation>Länge der Tangente am ersten Ende einer 2-Punkt-Kurve: wie es sich über den Entwurf ändert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Länge der Tangente am ersten Ende einer 2-Punkt-Kurve: der feste Wert oder der kleinste; linear, radial: am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: the greatest value; linear, radial: at the end</source>
+        <translation>Länge der Tangente am ersten Ende einer 2-Punkt-Kurve: der größte Wert; linear, radial: am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve</source>
+        <translation>Länge der Tangente am zweiten Ende einer 2-Punkt-Kurve</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: direction in which a linear law grows</source>
+        <translation>Länge der Tangente am zweiten Ende einer 2-Punkt-Kurve: Richtung, in der ein lineares Gesetz wächst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Länge der Tangente am zweiten Ende einer 2-Punkt-Kurve: Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: how it varies over the design</source>
+        <translation>Länge der Tangente am zweiten Ende einer 2-Punkt-Kurve: wie es sich über den Entwurf ändert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Länge der Tangente am zweiten Ende einer 2-Punkt-Kurve: der feste Wert oder der kleinste; linear, radial: am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: the greatest value; linear, radial: at the end</source>
+        <translation>Länge der Tangente am zweiten Ende einer 2-Punkt-Kurve: der größte Wert; linear, radial: am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent</source>
+        <translation>Länge der Tangenten in Quadratseiten; 1 ist die Einheitstangente der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: direction in which a linear law grows</source>
+        <translation>Länge der Tangenten in Quadratseiten; 1 ist die Einheitstangente der Dissertation: Richtung, in der ein lineares Gesetz wächst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Länge der Tangenten in Quadratseiten; 1 ist die Einheitstangente der Dissertation: Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: how it varies over the design</source>
+        <translation>Länge der Tangenten in Quadratseiten; 1 ist die Einheitstangente der Dissertation: wie es sich über den Entwurf ändert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Länge der Tangenten in Quadratseiten; 1 ist die Einheitstangente der Dissertation: der feste Wert oder der kleinste; linear, radial: am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: the greatest value; linear, radial: at the end</source>
+        <translation>Länge der Tangenten in Quadratseiten; 1 ist die Einheitstangente der Dissertation: der größte Wert; linear, radial: am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Mean deviation of the numbers of trabeculae per layer along X, Y, Z, %; none if they were not asked for</source>
+        <translation>Mittlere Abweichung der Trabekelzahlen je Schicht entlang X, Y, Z, %; keine, wenn sie nicht verlangt waren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Mean of sliced area over envelope area, over the axes, %</source>
+        <translation>Mittel von Schnittfläche durch Fläche des Hüllkörpers über die Achsen, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Memory budget of the B-Rep engine</source>
+        <translation>Speichergrenze des B-Rep-Verfahrens</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Memory budget of the B-Rep engine (memory_gb)</source>
+        <translation>Speichergrenze des B-Rep-Verfahrens (memory_gb)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Minimum zeros propagation: columns are solved one after the other (fewest zeros u), or rows (fewest zeros v)</source>
+        <translation>Fortpflanzung der wenigsten Nullen: Spalten werden nacheinander gelöst (wenigste Nullen u) oder Zeilen (wenigste Nullen v)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Most voxels in a line (x, z), thesis 6.2.4.3; 0 means M</source>
+        <translation>Höchstens so viele Voxel in einer Linie (x, z), Dissertation 6.2.4.3; 0 bedeutet M</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Most voxels in a line (y, z); 0 means N</source>
+        <translation>Höchstens so viele Voxel in einer Linie (y, z); 0 bedeutet N</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Name of the site, e.g. Face1.2.-3; for add: the face and any new word, e.g. Face1.extra</source>
+        <translation>Name der Stelle, z. B. Face1.2.-3; zum Hinzufügen: die Fläche und ein neues Wort, z. B. Face1.extra</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Names of the rods in the order of the solids</source>
+        <translation>Namen der Stäbe in der Reihenfolge der Volumenkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>New place; it is set on the face</source>
+        <translation>Neuer Ort; er wird auf die Fläche gesetzt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>New size of the pore</source>
+        <translation>Neue Größe der Pore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>New tangent components, one per corner, in 0..1</source>
+        <translation>Neue Tangentenkomponenten, eine je Ecke, in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Number of rods</source>
+        <translation>Anzahl der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Number of triangles</source>
+        <translation>Anzahl der Dreiecke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Off: the coupling makes no rods</source>
+        <translation>Aus: die Kopplung erzeugt keine Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Offset of the contours into the material</source>
+        <translation>Versatz der Konturen ins Material</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>On: also Tb.Th, Tb.Sp, Conn.D, DA ... on voxels; slow</source>
+        <translation>Ein: auch Tb.Th, Tb.Sp, Conn.D, DA ... mit Voxeln; langsam</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>On: made after the channels and closes them; off: the channels go through</source>
+        <translation>Ein: nach den Kanälen erzeugt und verschließt sie; aus: die Kanäle gehen hindurch</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>On: only from SliceLow to SliceHigh is sliced</source>
+        <translation>Ein: nur von SliceLow bis SliceHigh wird geschnitten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>On: the value counts. Origin P of the co-ordinate lines; none means the centre of the face</source>
+        <translation>Ein: der Wert gilt. Ursprung P der Koordinatenlinien; keiner bedeutet die Mitte der Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>One number reproduces all draws</source>
+        <translation>Eine Zahl, die alle Zufallsziehungen wiederholbar macht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>One number reproduces all random draws</source>
+        <translation>Eine Zahl, die alle Zufallsziehungen wiederholbar macht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Open contours shorter than this are left out</source>
+        <translation>Kürzere offene Konturen werden weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Origin P of the co-ordinate lines; none means the centre of the face</source>
+        <translation>Ursprung P der Koordinatenlinien; keiner bedeutet die Mitte der Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Pairs of faces in order, a JSON record a line: {"first": "Face1", "second": "Face2", "association": "random"}</source>
+        <translation>Flächenpaare der Reihe nach, je Zeile ein JSON-Datensatz: {"first": "Face1", "second": "Face2", "association": "random"}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Pairs of tables that are tried before the search gives up</source>
+        <translation>Tabellenpaare, die versucht werden, bevor die Suche aufgibt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Paths of this coupling; none means those of the design</source>
+        <translation>Pfade dieser Kopplung; keine bedeutet die des Entwurfs</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Pieces that channels cut off all round</source>
+        <translation>Teile, die Kanäle ringsum abtrennen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Plain sum of the rods' volumes over the envelope's, %</source>
+        <translation>Einfache Summe der Stabvolumen durch das des Hüllkörpers, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Planes at the layers' middles, at their bottoms (thesis), at heights</source>
+        <translation>Ebenen in der Mitte der Schichten, an ihrer Unterseite (Dissertation), auf Höhen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Points that hardly turn a contour are left out</source>
+        <translation>Punkte, die eine Kontur kaum knicken, werden weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Pores that overlap or reach over a border</source>
+        <translation>Poren, die sich überlappen oder über einen Rand reichen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Processor time that it took, s</source>
+        <translation>Benötigte Rechenzeit, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Random displacement of each corner, in sides of the square</source>
+        <translation>Zufällige Verschiebung jeder Ecke, in Quadratseiten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Rods of the wireframe</source>
+        <translation>Stäbe des Drahtgerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Rods that leave the envelope between their ends</source>
+        <translation>Stäbe, die den Hüllkörper zwischen ihren Enden verlassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Rods that no remedy mended; they are left out</source>
+        <translation>Stäbe, denen nichts abhalf; sie sind weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Rods that the last recompute built or took anew</source>
+        <translation>Stäbe, die die letzte Neuberechnung neu erzeugt oder übernommen hat</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Rods that were cut away</source>
+        <translation>Ausgeschnittene Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Rods that were mended: fault, remedy, attempts</source>
+        <translation>Reparierte Stäbe: Fehler, Abhilfe, Versuche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>STL, OBJ, PLY or 3MF that is sliced if there is no source</source>
+        <translation>STL-, OBJ-, PLY- oder 3MF-Datei, die geschnitten wird, wenn kein Körper gewählt ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>STL, OBJ, PLY, 3MF, an analysis' CSV or JSON, NPY</source>
+        <translation>STL, OBJ, PLY, 3MF, CSV oder JSON einer Analyse, NPY</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sections through which the surface of a solid rod is laid</source>
+        <translation>Querschnitte, durch die die Oberfläche eines Stabs als Volumenkörper gelegt wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Share of the envelope inside the rods, nothing taken away or filled, %</source>
+        <translation>Anteil des Hüllkörpers in den Stäben, nichts weggenommen oder gefüllt, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Share of the envelope that is not scaffold, % (Eq. 2.2)</source>
+        <translation>Anteil des Hüllkörpers, der nicht Gerüst ist, % (Gl. 2.2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Share of the voxels in the largest part, %</source>
+        <translation>Anteil der Voxel im größten Teil, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Short name used in couplings and reports, e.g. A; none means the face's own</source>
+        <translation>Kurzname in Kopplungen und Berichten, z. B. A; keiner bedeutet der Name der Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Short name used in couplings and reports, e.g. A; none means the face's own (name)</source>
+        <translation>Kurzname in Kopplungen und Berichten, z. B. A; keiner bedeutet der Name der Fläche (name)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along X</source>
+        <translation>Stellen entlang X</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along X (n_x)</source>
+        <translation>Stellen entlang X (n_x)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Y</source>
+        <translation>Stellen entlang Y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Y (n_y)</source>
+        <translation>Stellen entlang Y (n_y)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Z</source>
+        <translation>Stellen entlang Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Z (n_z)</source>
+        <translation>Stellen entlang Z (n_z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sites available, rods, sites left, for each coupling (tables 4.2, 4.5)</source>
+        <translation>Verfügbare Stellen, Stäbe und übrige Stellen je Kopplung (Tabellen 4.2, 4.5)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>Sites on all faces</source>
+        <translation>Stellen auf allen Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sites on its faces</source>
+        <translation>Stellen auf seinen Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Sites on the face</source>
+        <translation>Stellen auf der Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites that earlier couplings used may be used again</source>
+        <translation>Stellen, die frühere Kopplungen verbraucht haben, dürfen wieder benutzt werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sizes of the rods' end sections, mm</source>
+        <translation>Größen der Endquerschnitte der Stäbe, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Slices along all axes</source>
+        <translation>Schnitte entlang aller Achsen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Slices on which the mesh is not closed: their numbers may be wrong</source>
+        <translation>Schnitte, in denen das Netz nicht geschlossen ist: ihre Zahlen können falsch sein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Solid voxels</source>
+        <translation>Volle Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Solid voxels over all of the envelope, %</source>
+        <translation>Volle Voxel durch alle des Hüllkörpers, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the lines along v</source>
+        <translation>Abstand der Linien entlang v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the lines along v (c_v)</source>
+        <translation>Abstand der Linien entlang v (c_v)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the sites along u</source>
+        <translation>Abstand der Stellen entlang u</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the sites along u (c_u)</source>
+        <translation>Abstand der Stellen entlang u (c_u)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Sum of sliced area x thickness, mean of the axes</source>
+        <translation>Summe von Schnittfläche x Dicke, Mittel der Achsen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Sum of the solids' volumes; overlaps count twice</source>
+        <translation>Summe der Volumen der Volumenkörper; Überlappungen zählen doppelt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Sum of the volumes of the rods' meshes: the independent route</source>
+        <translation>Summe der Volumen der Stabnetze: der unabhängige Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Targets from sections through the middles of the layers (Eq. 6.1), or from the volumes of the slabs</source>
+        <translation>Zielwerte aus Schnitten durch die Mitten der Schichten (Gl. 6.1) oder aus den Volumen der Scheiben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>The analysis: its numbers</source>
+        <translation>Die Analyse: ihre Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>The analysis: names, tables, places of its numbers</source>
+        <translation>Die Analyse: Namen, Tabellen, Plätze ihrer Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>The body that is sliced; none: the file</source>
+        <translation>Der Körper, der geschnitten wird; keiner: die Datei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>The body to be filled</source>
+        <translation>Der Körper, der gefüllt wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>The design: its numbers</source>
+        <translation>Der Entwurf: seine Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>The design: names, places of its numbers</source>
+        <translation>Der Entwurf: Namen, Plätze seiner Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>The prism, a box</source>
+        <translation>Das Prisma, ein Quader</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>The sample: a body, or an analysis; none: the file</source>
+        <translation>Die Probe: ein Körper oder eine Analyse; keine: die Datei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>The scaffold of which this is a part</source>
+        <translation>Das Gerüst, zu dem dies gehört</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>The wireframe whose rods these are</source>
+        <translation>Das Drahtgerüst, dessen Stäbe dies sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>The wireframe: its numbers</source>
+        <translation>Das Drahtgerüst: seine Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>The wireframe: names, tables, places of its numbers</source>
+        <translation>Das Drahtgerüst: Namen, Tabellen, Plätze seiner Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Thickness of a layer</source>
+        <translation>Dicke einer Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Thickness of the layer</source>
+        <translation>Dicke der Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Tilt of the inner sections towards the path's normal planes</source>
+        <translation>Neigung der inneren Querschnitte zu den Normalebenen des Pfads</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Time budget of the B-Rep engine</source>
+        <translation>Zeitgrenze des B-Rep-Verfahrens</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Time budget of the B-Rep engine (seconds)</source>
+        <translation>Zeitgrenze des B-Rep-Verfahrens (seconds)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Time that it took, s</source>
+        <translation>Benötigte Zeit, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Times that tangents or middle points are drawn again before the path is changed</source>
+        <translation>Wie oft Tangenten oder Mittelpunkte neu gezogen werden, bevor der Pfad geändert wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>To whose slices the porosity refers; none: the body's box</source>
+        <translation>Auf wessen Schnitte sich die Porosität bezieht; keiner: der Quader um den Körper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Triangles that were sliced</source>
+        <translation>Dreiecke, die geschnitten wurden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>True areas of the rods' end sections, mm^2</source>
+        <translation>Wahre Flächen der Endquerschnitte der Stäbe, mm^2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Unit of the file; auto: guessed, and said</source>
+        <translation>Einheit der Datei; auto: geschätzt, und gesagt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Unit of the numbers before they became mm</source>
+        <translation>Einheit der Zahlen, bevor sie mm wurden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>Version of the object</source>
+        <translation>Version des Objekts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Voids that no opening reaches</source>
+        <translation>Hohlräume ohne Öffnung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the channels</source>
+        <translation>Volumen der Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the envelope</source>
+        <translation>Volumen des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the layers outside of the envelope</source>
+        <translation>Volumen der Schichten außerhalb des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Volume of the mesh: the independent route</source>
+        <translation>Volumen des Netzes: der unabhängige Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the pieces that channels cut off all round</source>
+        <translation>Volumen der Teile, die Kanäle ringsum abtrennen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Volume of the same cut by the mesh engine: the independent route</source>
+        <translation>Volumen desselben Schnitts mit dem Netzverfahren: der unabhängige Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the scaffold</source>
+        <translation>Volumen des Gerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Volume of the scaffold as it is shown</source>
+        <translation>Volumen des Gerüsts, wie es gezeigt wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Volume of the solid voxels</source>
+        <translation>Volumen der vollen Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Volume of the solid, loose pieces included</source>
+        <translation>Volumen des Volumenkörpers samt loser Teile</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Volume of the triangles: the independent route</source>
+        <translation>Volumen der Dreiecke: der unabhängige Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the voids that no opening reaches</source>
+        <translation>Volumen der Hohlräume ohne Öffnung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Volumes of the rods' meshes, mm^3</source>
+        <translation>Volumen der Stabnetze, mm^3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Volumes of the solids, mm^3</source>
+        <translation>Volumen der Volumenkörper, mm^3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Voxels at the envelope's boundary belong to it when their centre does, when they touch it, or when they lie inside it whole</source>
+        <translation>Voxel am Rand des Hüllkörpers gehören dazu, wenn ihr Mittelpunkt es tut, wenn sie ihn berühren oder wenn sie ganz innen liegen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Wavelengths of the trabecular texture along X, Y, Z; 0: fitted to the sample, or eight voxels without one</source>
+        <translation>Wellenlängen der trabekulären Textur entlang X, Y, Z; 0: an die Probe angepasst, ohne Probe acht Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>What is to be known</source>
+        <translation>Was zu wissen ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>What overlaps counts as often as it overlaps, or once (union)</source>
+        <translation>Was sich überlappt, zählt so oft, wie es sich überlappt, oder einmal (Vereinigung)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>What the last recompute said</source>
+        <translation>Was die letzte Neuberechnung meldete</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>What this is of the scaffold</source>
+        <translation>Welcher Teil des Gerüsts dies ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>What was worked out twice, by independent routes, and how far the two differ</source>
+        <translation>Was zweimal auf unabhängigen Wegen berechnet wurde, und wie weit beide auseinanderliegen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Where the layers begin</source>
+        <translation>Wo die Schichten beginnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Where the layers begin; nan: where the body does</source>
+        <translation>Wo die Schichten beginnen; nan: wo der Körper beginnt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Where the layers end</source>
+        <translation>Wo die Schichten enden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Where the layers end; nan: where the body does</source>
+        <translation>Wo die Schichten enden; nan: wo der Körper endet</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Whether all rods were cut</source>
+        <translation>Ob alle Stäbe ausgeschnitten wurden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Whether every layer along X, Y and Z has the voxels asked for</source>
+        <translation>Ob jede Schicht entlang X, Y und Z die verlangten Voxel hat</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Whether scaffold and channels are closed</source>
+        <translation>Ob Gerüst und Kanäle geschlossen sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Whether the mesh is closed</source>
+        <translation>Ob das Netz geschlossen ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>Whether the result belongs to the present inputs</source>
+        <translation>Ob das Ergebnis zu den jetzigen Eingaben gehört</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Which axis' real total is the common one (thesis: z)</source>
+        <translation>Die reelle Summe welcher Achse die gemeinsame ist (Dissertation: z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Which of several convergence points a rod takes</source>
+        <translation>Welchen von mehreren Konvergenzpunkten ein Stab nimmt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Why it stopped, if it did</source>
+        <translation>Warum es abbrach, falls es abbrach</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Why this engine, and what it was expected to take</source>
+        <translation>Warum dieses Verfahren, und was es voraussichtlich braucht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Width along Y</source>
+        <translation>Breite entlang Y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>circle, or closed spline through corners with random tangents</source>
+        <translation>Kreis oder geschlossener Spline durch Ecken mit zufälligen Tangenten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>inwards: the outer part of the envelope; outwards: added to it</source>
+        <translation>nach innen: der äußere Teil des Hüllkörpers; nach außen: kommt hinzu</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>mesh: exact triangles; field: rays and cells, for many rods; brep: STEP</source>
+        <translation>Netz: genaue Dreiecke; Feld: Strahlen und Zellen, für viele Stäbe; B-Rep: STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>off, move (to point), add (at point), pore (size and turns)</source>
+        <translation>aus, verschieben (zum Punkt), hinzufügen (am Punkt), Pore (Größe und Tangenten)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point; box: through a random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals</source>
+        <translation>senkrecht: entlang der Normalen; gerade: verbindet die Stellen; Mitte: 3-Punkt-Kurve durch einen Konvergenzpunkt; Quader: durch einen zufälligen Punkt eines Quaders um ihn (Gl. 3.1); Spannung: 2-Punkt-Kurve entlang der inneren Normalen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>random pairs of sites, or site (i, j) to site (i, j)</source>
+        <translation>zufällige Paare von Stellen oder Stelle (i, j) zu Stelle (i, j)</translation>
+    </message>
+</context>
+<context>
+    <name>Choices</name>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>add</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>any</source>
+        <translation>alle erlaubt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>best-tables</source>
+        <translation>beste zu Tabellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>brep</source>
+        <translation>B-Rep</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>by-field</source>
+        <translation>nach Feld</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>constant</source>
+        <translation>konstant</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>constraint</source>
+        <translation>mit Bedingung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>corner</source>
+        <translation>über Ecke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>edge</source>
+        <translation>über Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>expression</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>gyroid</source>
+        <translation>Gyroid</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>half</source>
+        <translation>zur Hälfte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heavy</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>inwards</source>
+        <translation>nach innen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>minimum-zeros</source>
+        <translation>wenigste Nullen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>move</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>nearest</source>
+        <translation>nächster</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>orthogonal</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>outwards</source>
+        <translation>nach außen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>picked faces</source>
+        <translation>gewählten Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>pore</source>
+        <translation>Pore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>proportional</source>
+        <translation>anteilig</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>radial</source>
+        <translation>radial</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>random</source>
+        <translation>zufällig</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>random-layers</source>
+        <translation>zufällige Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>remainders</source>
+        <translation>größte Reste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>repeat</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>same</source>
+        <translation>gleiche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>sequential</source>
+        <translation>der Reihe nach</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>sheets</source>
+        <translation>Lamellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>slab</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>smooth</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>thesis</source>
+        <translation>Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>touched</source>
+        <translation>berührt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>trabecular</source>
+        <translation>trabekulär</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>uniform</source>
+        <translation>gleichverteilt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>union</source>
+        <translation>Vereinigung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>winding</source>
+        <translation>Umlaufzahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>xy</source>
+        <translation>xy</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>xyz</source>
+        <translation>xyz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>xz</source>
+        <translation>xz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>yz</source>
+        <translation>yz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+</context>
+<context>
+    <name>Core</name>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source> (closed: make a solid of it first)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source> ... ({} layers)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source> above {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source> and with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source> or {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source> within the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>, {} of them spoilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>1 / (Tb.Th + Tb.Sp); programs that measure between mid-axes, or divide BV/TV by Tb.Th, get other numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>1 less what the body adds to the Euler number of the structure it was cut out of: the box's faces count half, its edges a quarter, its corners an eighth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>; closed layers need a Boolean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>; exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>; it is not there now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>Analysis {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>BS over BV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>BV over TV; porosity is 1 less it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>BV/TV is {} by triangles and {} by voxels: parts of the mesh overlap (then the voxels are right), or are thinner than a voxel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>Conn over TV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>DA by all lines through BS, from its normals: the second route, exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>DA.mesh: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>DA: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>Euler number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>File from which the envelope was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>Hellinger distance of the distributions of trabecular area over logarithmic bins, five per decade with borders at 10^(k/5) mm2: sqrt(sum (sqrt p - sqrt q)^2 / 2); 0 = equal, 1 = no bin shared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>Kolmogorov-Smirnov distance of the distributions of trabecular area (net of holes, each trabecula of each slice once): largest difference of the two shares of trabeculae up to an area; not binned; 0 = equal, 1 = apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>Layers of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>On: computed with every recompute; off: shown as out of date until it is updated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>On: the value counts. {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
+        <source>One connected part of sheets and rods, like the sample's; no floating voxel, no closed cavity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>Pearson's correlation of the profiles over the shared layers; 1 = same shape; none if a profile is constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Samples are laid side by side by {}; differences are against {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/makers.py"/>
+        <source>Sites {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Sliced area (mm2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>Solid in that file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>Solid{}{} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Total number of plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Total number of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Trabecular area range (mm2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>Voxels {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>What was mended in the file's solid, and what looks wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>a 3MF file must be a whole ZIP archive: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>a 3MF file must hold {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>a Boolean must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>a PLY file must begin with its header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>a cap of {} on {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>a change by hand does not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>a change by hand does not fit the design: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/sites.py"/>
+        <source>a change by hand must name a site of face {} ({} sites), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pieces.py"/>
+        <source>a closed mesh must hold some volume, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line could not be followed for {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line has no end after {} steps and {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line left the face unnoticed after {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line's plane touches the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a comparison needs at least two analyses, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a convergence point's co-ordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/couplings.py"/>
+        <source>a coupled face must have at least 1 site, got 0 on face {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a coupling must join faces of the job ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/couplings.py"/>
+        <source>a coupling must join faces that have sites ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a coupling needs two faces, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a curve must have at least one point, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a curve's points must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a curve's points must differ along the axis, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
+        <source>a design for these targets must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a design must be an array with three axes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>a design must have at least one solid voxel to have a surface, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/blocks.py"/>
+        <source>a design must have at least one voxel to have a mesh, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>a design must have at least one voxel; the densities in this mask make, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a design must have at most {} rods; this one would take about {} hours and {} GB, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>a design must have at most {} voxels; {} would take about {} GB of memory; larger voxels make fewer, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
+        <source>a design must have solid voxels, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a direction must not be along the face's normal at the origin of its line, got ({}, {}, {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
+        <source>a fabric ellipsoid needs at least 6 directions, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
+        <source>a fabric needs a surface that lines cross, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/couplings.py"/>
+        <source>a face can be coupled with itself only if it is curved: rods of the flat face {} would lie in its plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a face must be named, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a face must be one of Face1..Face{} or {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a face must be one of Face1..Face{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>a face must have at most {} sites, but spacings of {} and {} mm give about {} on {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a face must have one normal per vertex, got {} for {} vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>a face of {} must be one of Face1..Face{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a face to be thickened must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a fault without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/nodes.py"/>
+        <source>a field may have {} nodes; a cell size of {} mm needs {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
+        <source>a file of layers is read as it is: heights and a range cannot be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job must be JSON: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/jobs.py"/>
+        <source>a job must have the sites of 1 prism, or those of faces, got {} prisms and {} faces in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job needs at least one coupling, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job needs either an envelope file or a prism, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job's numbers must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>a law must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>a law's bounds must be finite numbers, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a layer along {} holds {} voxels, but layer {} is asked for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a layer along {} holds {} voxels, but the area {} mm² of layer {} asks for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_outlines.py"/>
+        <source>a layer must be an array of two axes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>a layer must be one of 0..{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold, and smoothing does not help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a layer's thickness must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>a mask for these targets must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>a mask must be in one part, got parts of {} and {} cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>a mask must have at least one cell, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a mask must have at least one cell; {} has in the targets' box, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>a mask must have at least one voxel, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>a mesh format must be one of stl, ply, obj, 3mf, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a mesh must be closed to be filled with voxels: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must be closed to become a solid, got {} holes with {} open edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
+        <source>a mesh must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>a mesh must have at least one vertex to have bounds, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must have at most {} triangles to become a solid, got {}: reduce it (Mesh &gt; Decimation) or give a STEP file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must have triangles, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must have two triangles at each edge, turned alike, to become a solid; got {} edges of more than two and {} edges of triangles turned unevenly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>a mesh to be voxelised must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/patchwork.py"/>
+        <source>a patchwork needs a closed mesh each of whose edges has two triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a path's tension must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>a pitch must be three lengths above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/presets.py"/>
+        <source>a preset must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a profile to be compared must have slices, {} has none along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a quantity must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
+        <source>a rod must be a valid solid of positive volume, got {} mm3 for rod {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
+        <source>a rod must be a valid solid, got one that is not for rod {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
+        <source>a rod's solid must have its mesh's volume within {}, got {} and {} mm3 for rod {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>a row of {} does not fit into its ranks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a sample must be numbered 0 to {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
+        <source>a sample must have a surface to fit a texture to, got one that is empty or full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a sample must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a sample must have material and voids: of {} cells are solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels above {} are solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels above {} are solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels are solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels are solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a sample must have material: its sliced areas make, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a sample must have voids: of {} cells its sliced areas fill, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a sample's mesh must be closed; its open area is, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a sample's mesh must not be inside out; its volume is, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a scan must have more than one grey value to be parted by Otsu's threshold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>a script must have a design, an analysis or voxels to make, got none in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a setting must read name=value, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>a shape must have faces to be written into {}, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>a shape that is cut must have at least one solid, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
+        <source>a sheet of a workbook holds at most {} contours, got {} along {}; thicker layers have fewer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>a site placed by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a site's co-ordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a site's name must read face.i.j, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a solid from a mesh must have its volume of {} mm3, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>a solid must have a volume greater than 0, got {} mm3: it is empty or inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a solid must not cross itself; {} pairs of its triangles do, the longest crossing is {} mm at ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>a solid of patches has no closed voids, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>a solid scaffold must have all its channels: the B-Rep engine came to {} of {} rods, then {}; the mesh scaffold stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>a solid's faces must be bounded by seams that do not cross, got {} of {} seams of surfaces that nearly touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a surface must be told by {} points at most, got {} x {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/patchwork.py"/>
+        <source>a surface of a patchwork must meet others, got one that is closed in itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a tangent component of the pore at {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>a tenth of the void has spheres up to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>a thickness needs a surface, got voxels that are all on one side of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a trimmed face must have no kink inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a trimmed face with a seam or a pole must be bent both ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a trimmed face with a seam or a pole must not turn away from its middle plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a voxel must have three edges above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a voxel must not be larger than the sample, {} mm along {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>a voxel's edges must be at least {} mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>a wavelength must be 0 (fitted) or more, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>a {} without one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>alignment must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>all images of a stack must have one size, {} pixels, but {} has {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>all layers must have one thickness, got {} to {} mm in {} layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>all layers must have the voxels asked for, but {} have not: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>alpha and beta must have the same counts in the layers along Z, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>alpha and beta must have the same sum, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>an analysis along X, Y and Z is needed; {} has, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>an axis must be x, y, z or a direction of three numbers such as 0.6,0.8,0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>an edge of a curved face must have its parameters on the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>an edge of the box of middle points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>an envelope file needs faces with sites, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/jobs.py"/>
+        <source>an envelope must be a box or come from a file to be kept in a job, got {}; export it as STEP and name that file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be a closed solid, got an open one of {} faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be a valid solid; the kernel finds: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be one closed solid, got a {} of {} faces and no solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be one closed solid, got a {} of {} faces and no solid (closed: make a solid of it first)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must have a shape, got an empty one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>an envelope must have a shape, got nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>an envelope must have a shape, got {} without one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must have a volume greater than 0 mm3, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>an equation must have n &gt;= 0 and k &gt;= 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>an estimate can be made for the mesh or the field engine, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>an expression holds numbers only, got {} in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>an expression must have 1 to {} characters, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>analyses to be compared must have an axis in common, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>analyses to be compared must share at least one layer of {} mm along {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>area of the triangles, those in the box's faces (cuts) left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>areas must be given along X, Y and Z, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>areas must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>axes of a texture must be three unit vectors at right angles, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>being computed</source>
+        <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
+        <source>best layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>bodies must be of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone volume fraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone volume fraction, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>bounds and sum must not be negative, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
+        <source>branches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>branches per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>building the {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/marching.py"/>
+        <source>case {}: no triangulation without chords in faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>casting rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>cavities seen from inside and from outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>cell ({}, {}) is {}, beyond its bound {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>cells of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>chains of trabeculae that go on from slice to slice, each overlapping one of the next and no other, over the distance from the first slice to the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>channels by triangles and by rays, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>choice of the convergence point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>closed cavities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {}; or choose layers that are not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>closed voids are {} of the envelope: many channels have no way out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>co-ordinates must be finite and below 3.4e38 mm for a file, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>co-ordinates of rods must be finite, got nan or infinite mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>co-ordinates of triangles must be finite, got nan or infinite mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>comparison = make.compare_analyses([{}])</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>connectivity density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
+        <source>contacts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
+        <source>contours must have one start more than planes, and as many points as the last start says, got {} starts, {} planes, {} marks, points {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
+        <source>contours must lie in the order of their planes, 0..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
+        <source>counting layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sampled_tables.py"/>
+        <source>counting tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <source>couplings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>cutting triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>d1 and d2 must differ by at least 1 degree on the face, got {} degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>degree of anisotropy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>degree of anisotropy, by triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>densities must be 0 to 1, got {} in layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>designs are counted in boxes, not in, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>designs are searched for exhaustively up to {} cells, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
+        <source>designs must have one shape and solid voxels, got shapes {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>designs with these counts (entropy)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>designs with this design's tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>diameter of the largest sphere in the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>diameter of the largest sphere in the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>dmean area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>document = FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>document = FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/svg_layers.py"/>
+        <source>drawing layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>drawing {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/profiles.py"/>
+        <source>each contour must have one row of measures, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>each face must have at least three corners, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
+        <source>each point of a face must be used by its triangles; a border crosses itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>each variable must have two bounds, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>each vertex must have three co-ordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/designs.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>envelope less rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>error: the computation broke off; the report view says where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>error: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>every axis may be named once, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pieces.py"/>
+        <source>every cavity must lie in a body, but {} of {} lie in none: the mesh is inside out or crosses itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>every face must be named once, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>every face must be named once, got {} again in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
+        <source>every layer must have its count in one part without closed cavities; after {} flips {} layers are off by {} voxels together, layer {} along {} by {}; another seed, fewer restrictions or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
+        <source>every layer must have its count of voxels; {} layers differ: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
+        <source>exact moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>exact slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>exact slices are those of a solid, got a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>exact slices are those of a solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>face sites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>failed and left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
+        <source>finding doubles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
+        <source>finding parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>from freecad_trabecula import make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/python_text.py"/>
+        <source>from {} import {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>half of the void has spheres up to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights must be given with at='heights', and only then, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights must rise, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>heights of planes must be finite and rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>images must be of the kind {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>import FreeCAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
+        <source>islands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>it must name a site of face {}, which has {} sites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>it must name a site of one of the faces {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>items must show objects of the model, at most {} deep, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>its face, {} so far, is now Face{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>its standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
+        <source>joining open contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>joining the slabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/neighbours.py"/>
+        <source>joining the triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>junctions per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>largest balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>largest trabecular area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>largest trabecular separation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>largest trabecular thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>largest value of b less largest of a over the shared layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>layer {} along {} is empty between others: no design is one piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
+        <source>layer {} along {}: {} for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>layer {} as solids must hold the {} mm3 of its voxels, the kernel gives {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <source>layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>layers as solids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers follow smoothed normals at {} points where a face bends more sharply than {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers inwards must leave a part of the envelope, but {} mm take all of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers inwards that the channels go through are the envelope itself: nothing changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers on faces that bend sharply need the package scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>layers {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>leave the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>levelling tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>longest half axis of the fabric ellipsoid, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>longest mean intercept length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/crossings.py"/>
+        <source>looking for triangles that cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>loose pieces are {} of the envelope: the channels cut the scaffold apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>m (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
+        <source>mean intercept length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>mean of b less mean of a over the shared layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>mean over the solid of the largest inscribed sphere's diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>mean over the void inside the box of the largest inscribed sphere's diameter: mean pore size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>mean trabecular area of b less that of a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
+        <source>measuring contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
+        <source>measuring triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/recovery.py"/>
+        <source>mending: {}, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>mesh {}{} of the {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>mix of sheets and rods must be 0 to 4, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>mm (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>must be a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>must be at least {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>must be finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>must be whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>must lie in {}..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>nine tenths of the void have spheres up to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>no design has these counts: no set of layers contradicts another by itself, but a search of all designs found none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>no error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
+        <source>no field was tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
+        <source>no layer has these {} voxels in columns and {} in rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>no pair of tables was found within the mask in {} tries{}; strategy trabecular, which needs no tables, may find a design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
+        <source>no part with {} voxels was found in the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
+        <source>no point of the face's surface lies near ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>no shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>no solid of patches: {} mm3 against {} of the mesh; then </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>no solid of patches: {}; then </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>no table has these sums: columns {} ask for {}, and the rows can give them {}{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
+        <source>none of {} points tried lies inside the face of {} mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>nothing is left of the envelope: the rods fill it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>number of parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
+        <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
+        <source>offsets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
+        <source>offsetting contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>one part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
+        <source>one part needs voxels in every layer between its first and last; along {} layers {} and {} are asked for {} and {} voxels, and {} between them for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>one solid of {} must be chosen as the envelope: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>only a cut that was made can be undone, got 0 cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>only {} can be called in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>operator {} is not allowed in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>out of date: update it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>outer contours</source>
+        <translation>äußere Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>outlines of layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>over the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>over the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>overlaps less trabeculae plus parts of the graph: ways that part and meet again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>painting balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>pairing 'repeat' fills boxes only; pairing 'constraint' works within a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>parts less handles plus cavities, of the voxels as a closed body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
+        <source>parts of voxels are counted by scipy: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pieces of solid voxels, 26 neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pieces of void voxels, 6 neighbours, that touch no face of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
+        <source>planes must rise, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>plots must be one of {}, none, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pore diameter, 10 % of the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pore diameter, 50 % of the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pore diameter, 90 % of the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>pore layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>pore sizes must be at least {} mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <source>pores and paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>porosity {} % by the {} engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>porosity {} %, {} rods cut; solid and mesh differ by {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
+        <source>random layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
+        <source>random tables; each layer drawn nearly uniformly from all that have these row and column sums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/sequential.py"/>
+        <source>random tables; in each layer line after line, into the lines that need most (thesis case 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/minimum_zeros.py"/>
+        <source>random tables; in each layer the shortest line first, into the lines that need most (thesis case 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/best_tables.py"/>
+        <source>random tables; of all layers that they allow the one that is highest on the chosen field (linear program)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>rates of compatible tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>rays need closed meshes: each ray must leave as often as it enters; {} rays do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>rays per direction must be &gt;= 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>reading layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>redraws must lie in 0..100, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>relative L1 distance of the profiles: sum |b - a| / sum |a| over the shared layers; 0 = equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>relative L2 distance of the profiles: sqrt(sum (b - a)^2 / sum a^2) over the shared layers; 0 = equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>resolved (outside any block of 2 x 2 x 2 voxels): </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/packing.py"/>
+        <source>results must be numbers, texts, arrays or records of them, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/packing.py"/>
+        <source>results must be of classes of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>rod {}{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/nodes.py"/>
+        <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>rounds of gap fill must be at least 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>row sums and column sums must agree, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels + loose pieces = envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels + loose pieces = envelope, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels = envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels = envelope, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold in double and in single precision, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>scatter of the corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/seam_settling.py"/>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>seams of channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>sections per rod must be 1 or 2, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>share of contours that are rods (thesis' rule), b less a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>share of solid voxels: the second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>shortest half axis of the fabric ellipsoid, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>shortest mean intercept length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>site ({}, {}) came to lie outside its face, a line of which crossed the border unnoticed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>sites along {} must be at least 2 (Eq. 2.1 divides by n - 1), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/designs.py"/>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>sites on {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>sliced area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>sliced areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>sliced areas {}, got {} mm² in layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>slicing along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>smallest value of b less smallest of a over the shared layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>solid and mesh of a rod must agree within {} % of its volume, got {} and {} mm^3 for rod {} and {} such rods in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>solid and mesh of the scaffold must agree within {}, got {} and {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
+        <source>solid must be at least {} and void {} voxels thick; of {} solid ones {} and of the void {} stayed thinner; longer waves or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>solid of patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>solid: rod {}{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
+        <source>solids of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>spacing={} unit=mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>specific bone surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>specific bone surface, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>surface of the voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>table {}: {}; {} sums or cells are wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>tables alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>tables beta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>tables within a mask need scipy 1.6 or later: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>taken away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>tangent component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>tangent pull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
+        <source>targets of {} layers do not fit a field of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the B-Rep engine makes no compact layers, got {} faces with a layer: use the mesh engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the PLY file ends too early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>the PLY file must be binary, little-endian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>the PLY file must hold vertices and faces, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>the axis must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>the axis of rays must be 0, 1 or 2, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
+        <source>the best layer of given tables needs scipy 1.6 or later: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>the body could not be measured as a whole: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the body {} ({}, {}) in the active document; it was modelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the border distance {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
+        <source>the border of a face must not cross itself, nor run through a point of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>the cap on {} must be at least {}, got {}: {} ask for {} voxels, and the layers along Z can give them {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the cell must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>the cell size must be above 0 mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>the cells of the field engine are too coarse for these rods: make them smaller, or take the mesh engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the change of a site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pieces.py"/>
+        <source>the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the compensation must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the correction must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the counts along {} must be a list, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the counts along {} must be numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the deflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the deflection must be 0 mm or more, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/envelope_sources.py"/>
+        <source>the density of an envelope must lie between 0 and 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>the direction must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the direction of a law must be three finite numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the direction of a linear law must not be zero, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the direction {} must not be zero, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the envelope is only {} mm large: was its file in metres or inches, not mm?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the envelope is {} mm large: was its file in micrometres, not mm?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/nodes.py"/>
+        <source>the envelope must be at least two cells thick; it measures {} mm, a cell {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>the envelope must enclose a volume above 0, got {} mm3: it is inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the envelope's triangles are the kernel's and may differ between versions of FreeCAD: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>the envelope's triangles must turn counter-clockwise seen from outside; its volume is {} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the expression {} cannot be computed: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the expression {} cannot be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the expression {} must give finite numbers, got {} at ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
+        <source>the face has no normal at ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the faces of an IGES file must bound a closed body; these {} do not, with gaps up to {} mm closed (a STEP file keeps solids)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>the faces of the PLY file must be triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/chosen_fields.py"/>
+        <source>the field must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must be readable, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must end in one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must hold a mesh, but {} cannot be read as one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must hold a shape, but {} cannot be read as one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must hold a shape, got none in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the file {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>the file {} could not be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the file {}; it is not there now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>the file's extension must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>the folder {} could not be made: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/results.py"/>
+        <source>the folder {} must hold results that were written to the end: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the format of a PLY file must be ascii or binary, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the greatest number of rods of a coupling must be 0 (all) or more, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>the images of {} must be of one kind, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>the job's schema must be {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
+        <source>the kernel could not read a shape of {} characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
+        <source>the kernel could not read a shape of {} characters: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the kernel cuts rod {} wrongly in every way tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>the kernel made no solid of {} triangles: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/cutting.py"/>
+        <source>the kernel made no triangles of a face at a deflection of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the kernel made no triangles of a solid at a deflection of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>the kernel refused it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/file_sizes.py"/>
+        <source>the kind must be one of npy, nrrd, vti, png, bmp, tiff, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the layers along X, Y and Z must ask for the same total, got {}, {} and {} voxels: X - Z = {}, Y - Z = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>the layers contradict each other; count {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the lean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>the low ends of their boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>the mask must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>the mask's layers along {} have {} cells, but the common total is {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the memory budget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the memory budget of {} GB is used up ({} GB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
+        <source>the mesh kernel must hold a closed mesh, got an open one of {} triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
+        <source>the mesh kernel must hold {} vertices and {} triangles, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>the mesh must be closed and hold the {} mm3 of its voxels, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>the mesh was inside out; its triangles have been turned round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>the middles of their boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the model of a 3MF file may have at most {} bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the model of a 3MF file must be proper XML: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the model of a 3MF file must have an item to build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the number of corners of a pore must lie in 3..12, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>the order must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>the origin on face {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>the pixels of {} must have a pitch: none stands in the images, and none was given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>the plane at {} mm along {} could not be cut: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pores.py"/>
+        <source>the pore at {} takes {} tangent components, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/jobs.py"/>
+        <source>the prism of a job has a corner at the origin and its edges along X, Y, Z: the box's placement must be the identity, got {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the prism's edge along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the range of layers must meet the body, {}..{} mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the ratio from which a contour is a rod must lie in 0..1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>the rounds of smoothing must be 0 or more, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the sample's voxels must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>the search for a design gave up after {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>the search for a design needs scipy 1.9 or later: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the seed must lie in 0..{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the short name of a face must hold no dot, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the side of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>the side of a plane must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>the sites {} lost their face {}: {} has Face1..Face{}; choose another face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>the sites {} must be on faces of {}, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>the sites {} must be on faces of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the size of the pore at {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>the size of voxels must be &gt; 0, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the solid must be one of Solid1..Solid{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the solid was inside out (volume {} mm3) and has been turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the solid was invalid ({}) and has been mended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>the solver must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
+        <source>the spacing of rows must be &gt; 0, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the spacing {} must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the stations of a rod must lie in 3..33, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/registry.py"/>
+        <source>the strategy must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>the surface must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>the table must have {} rows and {} columns, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels have these sums in columns and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels within the mask have these sums in columns and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <source>the tables are not compatible: no layer {} along Z has these {} voxels in columns and {} in rows; {} of {} layers fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <source>the task could not be written into {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>the thickness of a layer must be above 0 mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the thickness of a layer must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>the thickness of common layers must be &gt; 0, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the time budget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the time budget of {} s is used up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the total must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>the triangles of a face must run along each edge at most once each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the triangles of a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the triangles' volume must be the solid's to {} mm3 (deflection times area), got {} against {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>the union of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>the unit must be auto or one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>the unit must be one of auto, {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>the unit must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the unit of a 3MF file must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>the voxel size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>the wavelength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>the window must not wait</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the {} of a box must be greater than 0 mm, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>the {} of {} and {} must leave some volume, got 0 mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>the {}{} fullest columns ask for {}, and the rows can give them {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>their own zeros</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>there may be at most {} heights, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>there may be at most {} planes along an axis; {} mm in layers of {} mm are {} planes, which would take about {} times the minute and 15 GB that {} take; layers of at least {} mm are possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>there may be at most {} voxels, a size of {} mm makes {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>there must be a file or folder of that name, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>there must be at least one axis to slice along, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
+        <source>there must be no contacts by an edge alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
+        <source>there must be no contacts by an edge or a corner alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
+        <source>there must be one row of measures for each contour, got {}, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
+        <source>thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>to {} site {} a point is needed, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>total volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
+        <source>trabeculae</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>trabecular area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabecular number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabecular separation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabecular thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
+        <source>triangles between trimmed borders need the Python package scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>triangles must have the shape (count, 3, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>triangles must lie within {} mm of a face, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>triangles must name vertices 0..{} of their object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>triangles of a face must not fold over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>triangles of solids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>triangles of the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>twice the surfaces crossed per length by parallel lines in all directions, over BV/TV.vox: the second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>two independent routes must agree, but they do not: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>um (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
+        <source>union and compensation need the package manifold3d; install it with: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>union of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
+        <source>uniting contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>unknown name {} in {}; known are {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>value of b over value of a, less 1; 0 = equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>verification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>vertices of rods must have the shape (rods, vertices, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>volume by the triangles; what overlaps counts twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>volume of the body's box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>volumes by rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>voxel counts {}, got {} in layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report.py"/>
+        <source>voxel design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>voxels must be a bool array [z, y, x], got {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>voxels must be as large as the layers of the sample, {} mm along {}, got {} mm, which makes {} layers of the sample's {}: slice it again with layers of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>voxels of {} mm would resolve them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/by_field.py"/>
+        <source>voxels where the chosen field is highest, as nearly as the counts of the layers allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>watertight {}: faulty edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
+        <source>wavelengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>wavelengths must be three lengths above 2 voxels, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/packing.py"/>
+        <source>what a document holds must be a value of this version: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>what is sliced must be a mesh or have a solid, got {} without</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>what is sliced must have triangles, got none in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/guides.py"/>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>what meets what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>width of a texture must be 0.02 to 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>within the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>within the mask layer {} along {} holds {} voxels, but is asked for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>writing layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>writing the tables of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
+        <source>writing the workbook's sheet {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>{} % of it lie </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>{} (the file's)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{} (the zero vector)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{} = make.body_objects({})[{}]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>{} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>{} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} and {} layers of {} and {} voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} apart (at most {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>{} ask for {} voxels together, but the layers along {} leave them at most {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>{} ask for {} voxels together, each voxel counted in every such layer it lies in; {} voxels give them at most {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} below {} mm3 left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} changes by hand do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} changes by hand do not fit the design: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>{} could not be computed: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} could not be read as CSV: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} could not be read as JSON: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} could not be read as XLSX: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} could not be read: there is no such file or folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} could not be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>{} could not be written into {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>{} could not be written whole: is the disk full?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>{} could not be written: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{} engine, {} rods, {} triangles, {} pairs that come near: about {} s and {} GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>{} faces were sewn to a solid, gaps up to {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} has no key {}; known are {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>{} have {} cells for them, and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <source>{} is incomplete: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} is no folder of an analysis: {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{} is no proper {} file: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} is not a whole analysis: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>{} is not allowed in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>{} layers of {} voxels cannot hold {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>{} mm, {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} mm3 together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must be JSON: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{} must be UTF-8 text: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>{} must be a closed mesh of finite co-ordinates, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>{} must be a closed mesh, each edge in two triangles that run along it opposite ways; it has {} triangles, {} open edges, {} edges of more than two triangles, {} edges run unevenly, {} triangles with a vertex named twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>{} must be a finite number, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} must be a flat image, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <source>{} must be a list of numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <source>{} must be a list of numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be a list, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be a number a computer can hold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must be a whole NPY file of numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} must be an image that can be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be an object with keys, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>{} must be at least 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be at least {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} must be computed anew: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>{} must be finite, or nan for the body's own, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>{} must be linked to 1 face, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>{} must be linked to a box, got nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>{} must be linked to a box, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>{} must be linked to a scaffold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>{} must be linked to a wireframe, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be one number or three, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must be the report of a {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} must be up to date for its contours, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>{} must be up to date to be saved, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must be up to date to be written: update it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{} must be without error to be written as a script, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must be without error to be written, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must begin with NRRD000, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must give the sizes of its voxels (spacings or space directions)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must have a column {}; it has, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must have a line of names and one for each layer, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must have a mesh or a shape to be written, got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} must have a sample, a source or a file, got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} must have a source or a file to be sliced, got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>{} must have at least one rod, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>{} must have at least one solid, got a {} without one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>{} must have at least one solid, got no shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>{} must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} must have been computed, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must have the layers 0, 1, ... along {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must have the schema {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} must have the sheets alpha and beta; it has, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>{} must have triangles counter-clockwise seen from outside, got a volume of {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must have triangles to be written, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must have {} values, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must hold an array of three axes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
+        <source>{} must hold at least one layer, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{} must hold at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must hold finite numbers, got {} that are not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} must hold images ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must hold numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must hold {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must hold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>{} must lie in 0..{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must lie in {}..{}, got {}</source>
+        <translation>{} muss in {}..{} liegen, ist aber {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>{} must lie on it to {} mm, got a distance of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>{} must name a field of the job; known here are {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>{} must number one of {} entries, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>{} needs brackets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>{} of a mesh must have the shape (count, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>{} of the body and the voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} of the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>{} of {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} pairs of pores overlap on face {}: pores must be smaller than their spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{} pairs that come near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} pores reach over the border of face {}: half their size must not exceed the distance from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>{} rods</source>
+        <translation>{} Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>{} rods, {} mm^3 with overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>{} sites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} slices, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} slices, {} of them spoilt, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} that no opening reaches, {} mm3 together: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>{} vertices still share their point in single precision after {} nudges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} voxels in one part, exact along X, Y and Z, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} voxels in {} parts, exact along X, Y and Z, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/migrations.py"/>
+        <source>{} was made by a later version of Trabecula: its schema must be at most {}, got {}; update Trabecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>{} x {} x {} layers, {} cells: about {} GB of memory and {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>{} {} ask for {} voxels together, but </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>{} {} ask for {} voxels together, but the other layers along {} are asked for {} in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{} {} must be one JSON object, got {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>{} {} sums to {}, asked for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>{} {} times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{}, cut off all round, {} mm3 together, the largest {} mm3: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>{}, got {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}, line 1: the columns must be {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}, line {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}, line {}: a layer must stand there once, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}, line {}: it must hold {} numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}, line {}: the axis must be x, y or z, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{}.Deflection = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{}.Label = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{}: a mesh file must end in .stl, .obj, .ply or .3mf, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>{}: a polyline must end with C or O; that of line {}{} is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{}: a table must have sums and cells, got rows, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: a voxel must have three edges above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{}: all rows must have the same length, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: an ASCII STL file must end with 'endsolid'; this one is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>{}: an SSL file must begin with 'Slice V0' and 'SLICES()'; this one holds neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: an STL file must hold at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: axes.{} does not fit its profile of {} slices: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{}: co-ordinates must be finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>{}: co-ordinates must be finite and at most {} mm, got {}..{} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: co-ordinates must be finite; triangle {}{} of {} has {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: co-ordinates must be numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: direction in which a linear law grows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: each facet must have three vertices, got {} vertices in {} facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{}: every sum and cell must be a whole number, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: how it varies over the design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}: it must be a number, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}: its values must be lists of numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: layers must be those of the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: morphometry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: sizes must be three numbers above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: sizes must be whole numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: spacings, directions and origin must be numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}: the column {} must hold whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: the constant value, or the least; linear, radial: at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>{}: the counts weigh {}, no design above {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the data must stand in the file itself, not in a data file of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the encoding must be raw or gzip, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: the file became shorter while it was read, at triangle {}{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: the greatest value; linear, radial: at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the header must end with an empty line; the file is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}: the layers must be counted 0, 1, 2, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the packed data are damaged or cut off: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: the size of a binary STL file must be 84 + 50 bytes for each triangle; its header says {} triangles, {} bytes hold {} and {} bytes more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the type must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{}: triangles must name vertices 0..{}, got {}..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{}: {} against {}, {} apart (at most {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} is resampled by area from layers of {} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} layers of {} mm, {} to {} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} reaches {} mm below and {} mm above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} to {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; the exact mesh engine needs manifold3d: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; the exact mesh engine would take about {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>  area</source>
+        <translation>  Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>  at</source>
+        <translation>  bei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>  size</source>
+        <translation>  Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>, about {} left</source>
+        <translation>, noch etwa {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>, layers on {} faces</source>
+        <translation>, Schichten auf {} Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>, porosity {:.2f} %</source>
+        <translation>, Porosität {:.2f} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <source>, {} left</source>
+        <translation>, noch {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>1 section</source>
+        <translation>1 Querschnitt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>2 sections</source>
+        <translation>2 Querschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>30 to 75 s a rod, by curvature and sections (thesis 2.3.3)</source>
+        <translation>30 bis 75 s je Stab, nach Krümmung und Querschnitten (Dissertation 2.3.3)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>A further direction: as if the part were turned</source>
+        <translation>Eine weitere Richtung: als wäre das Teil gedreht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>A mesh, an analysis' CSV, targets or voxels from a file</source>
+        <translation>Netz, CSV einer Analyse, Zielwerte oder Voxel aus einer Datei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>A package is missing</source>
+        <translation>Ein Paket fehlt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Add a convergence point</source>
+        <translation>Einen Konvergenzpunkt hinzufügen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Add a coupling</source>
+        <translation>Eine Kopplung hinzufügen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Analyse</source>
+        <translation>Analysieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Analyse a mesh, a solid or a design to see its slices</source>
+        <translation>Netz, Volumenkörper oder Entwurf analysieren, um die Schnitte zu sehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>Areas</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>As</source>
+        <translation>Als</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Available</source>
+        <translation>Verfügbar</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
+        <translation>Blöcke halten Volumen und Flächen genau ein; glatt hält das Volumen ein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Body to be sliced</source>
+        <translation>Körper, der geschnitten wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Body within which voxels may lie</source>
+        <translation>Körper, in dem Voxel liegen dürfen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/prism_section.py"/>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Border u, v</source>
+        <translation>Rand u, v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>Build</source>
+        <translation>Erzeugen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Cells at its border</source>
+        <translation>Zellen am Rand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/edits_list.py"/>
+        <source>Changes by hand</source>
+        <translation>Änderungen von Hand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>Checking the envelope …</source>
+        <translation>Der Hüllkörper wird geprüft …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Choice</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Choose a body or a file</source>
+        <translation>Körper oder Datei wählen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Click a rod in the 3D view</source>
+        <translation>Einen Stab in der 3D-Ansicht anklicken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Click faces in the 3D view; a second click takes one away</source>
+        <translation>Flächen in der 3D-Ansicht anklicken; ein zweiter Klick nimmt eine weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/task_panels.py"/>
+        <source>Close the open task panel first</source>
+        <translation>Zuerst das offene Aufgabenfenster schließen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Closes channels</source>
+        <translation>Verschließt Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Co-ordinates of the planes, mm, for planes at heights</source>
+        <translation>Koordinaten der Ebenen in mm, für Ebenen auf Höhen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Compact layers</source>
+        <translation>Kompakte Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Compensation</source>
+        <translation>Korrektur</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Component of the unit tangent, 0 to 1</source>
+        <translation>Komponente der Einheitstangente, 0 bis 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Connected channels</source>
+        <translation>Zusammenhängende Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Connected pieces of the scaffold</source>
+        <translation>Zusammenhängende Teile des Gerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Constant value, or least; at the start</source>
+        <translation>Fester Wert oder kleinster Wert; am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Contacts avoided</source>
+        <translation>Vermiedene Kontakte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Convergence point</source>
+        <translation>Konvergenzpunkt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Convergence points: {}</source>
+        <translation>Konvergenzpunkte: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Convergence: centre of the envelope</source>
+        <translation>Konvergenz: Mitte des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Couple the opposite faces of the prism</source>
+        <translation>Die gegenüberliegenden Flächen des Prismas koppeln</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Couplings</source>
+        <translation>Kopplungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Deflection</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>Design rods</source>
+        <translation>Stäbe entwerfen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>Design voxels of a body or an analysis to see their layers</source>
+        <translation>Voxel aus einem Körper oder einer Analyse entwerfen, um ihre Schichten zu sehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Direction in which the value grows</source>
+        <translation>Richtung, in der der Wert wächst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Direction u</source>
+        <translation>Richtung u</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Direction v</source>
+        <translation>Richtung v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Earlier: its faces' sites are taken first</source>
+        <translation>Früher: die Stellen ihrer Flächen werden zuerst vergeben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/prism_section.py"/>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Edit site and pore</source>
+        <translation>Stelle und Pore bearbeiten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Engine</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Envelope</source>
+        <translation>Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Envelope and surface</source>
+        <translation>Hüllkörper und Oberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Face at which the rods start</source>
+        <translation>Fläche, an der die Stäbe beginnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Face at which they end</source>
+        <translation>Fläche, an der sie enden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Filter open, closed</source>
+        <translation>Filter offen, geschl.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>First layer along Z</source>
+        <translation>Erste Schicht entlang Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>First site</source>
+        <translation>Erste Stelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>First tension</source>
+        <translation>Spannung 1. Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
+        <source>Folder for tables, report and plots</source>
+        <translation>Ordner für Tabellen, Bericht und Diagramme</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>Folder for the images' folder</source>
+        <translation>Ordner für den Bilderordner</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Gap fill</source>
+        <translation>Lücken schließen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Give all faces the spacings and borders of the chosen one</source>
+        <translation>Allen Flächen die Abstände und Ränder der gewählten geben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Greatest value; at the end</source>
+        <translation>Größter Wert; am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Heat map</source>
+        <translation>Häufigkeiten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>How sites are set</source>
+        <translation>Wie Stellen gesetzt werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>Install {}</source>
+        <translation>{} installieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Keep loose pieces</source>
+        <translation>Lose Teile behalten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>Last layer</source>
+        <translation>Letzte Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>Layer shapes</source>
+        <translation>Schichtkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>Layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Layout</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Lean</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Least thickness</source>
+        <translation>Mindestdicke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Least void</source>
+        <translation>Mindesthohlraum</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Left</source>
+        <translation>Übrig</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Lines solved</source>
+        <translation>Gelöste Linien</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Loose pieces</source>
+        <translation>Lose Teile</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Mean bone fraction, %</source>
+        <translation>Mittlerer Knochenanteil, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Measures</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Memory budget</source>
+        <translation>Speichergrenze</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Mended</source>
+        <translation>Repariert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Mending</source>
+        <translation>Reparatur</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Meshes</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Most in a line (x, z)</source>
+        <translation>Höchstens je Linie (x, z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Most in a line (y, z)</source>
+        <translation>Höchstens je Linie (y, z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Most rods</source>
+        <translation>Höchstens Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Move site</source>
+        <translation>Stelle verschieben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>No preview</source>
+        <translation>Keine Vorschau</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>No rod is left out</source>
+        <translation>Kein Stab fehlt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>No rod leaves the envelope</source>
+        <translation>Kein Stab verlässt den Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>Not now: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Off: three edges along X, Y, Z</source>
+        <translation>Aus: drei Kanten entlang X, Y, Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>One image a layer along Z, in a new folder</source>
+        <translation>Ein Bild je Schicht entlang Z, in einem neuen Ordner</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>One number reproduces all draws</source>
+        <translation>Eine Zahl, die alle Zufallsziehungen wiederholbar macht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Only from, to</source>
+        <translation>Nur von, bis</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Open job</source>
+        <translation>Auftrag öffnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Opposite faces</source>
+        <translation>Gegenüberliegende Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Outer contours</source>
+        <translation>Äußere Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Outside</source>
+        <translation>Außerhalb</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Overlaps</source>
+        <translation>Überlappungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Pairs of tables</source>
+        <translation>Tabellenpaare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Passport</source>
+        <translation>Steckbrief</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Path</source>
+        <translation>Pfad</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Path: {}</source>
+        <translation>Pfad: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Paths</source>
+        <translation>Pfade</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Paths from {} to {}</source>
+        <translation>Pfade von {} nach {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Paths of its own</source>
+        <translation>Eigene Pfade</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Paths of this coupling alone</source>
+        <translation>Pfade nur dieser Kopplung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/picking.py"/>
+        <source>Pick a face of {}</source>
+        <translation>Eine Fläche von {} anklicken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Pick a site</source>
+        <translation>Eine Stelle anklicken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Pick faces</source>
+        <translation>Flächen wählen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Pick the origin on the chosen face</source>
+        <translation>Ursprung auf der gewählten Fläche anklicken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Place of the site</source>
+        <translation>Ort der Stelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Plain sum of the rods</source>
+        <translation>Einfache Summe der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Plates</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Pore sizes</source>
+        <translation>Porengrößen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Pores</source>
+        <translation>Poren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Porosity</source>
+        <translation>Porosität</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Porosity in</source>
+        <translation>Porosität in</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Porosity of the scaffold (Eq. 2.2)</source>
+        <translation>Porosität des Gerüsts (Gl. 2.2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Porosity, %</source>
+        <translation>Porosität, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Preset</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>Preview …</source>
+        <translation>Vorschau …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>Profiles have no picture</source>
+        <translation>Profile haben kein Bild</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Range and heights</source>
+        <translation>Bereich und Höhen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>Reading the envelope …</source>
+        <translation>Der Hüllkörper wird gelesen …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Recoveries</source>
+        <translation>Behebungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Redraws</source>
+        <translation>Neuziehungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Remedy</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Remove the chosen coupling</source>
+        <translation>Die gewählte Kopplung entfernen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Remove this point</source>
+        <translation>Diesen Punkt entfernen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Reuse sites</source>
+        <translation>Stellen wieder nutzen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Rod</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Rods</source>
+        <translation>Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Rods as solids and as meshes, mm³</source>
+        <translation>Stäbe als Volumenkörper und als Netze, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Rods by hand (thesis' estimate)</source>
+        <translation>Stäbe von Hand (Schätzung der Dissertation)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Rods from</source>
+        <translation>Stäbe ab</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Rods or channels</source>
+        <translation>Stäbe oder Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Rounds</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Rows of tables</source>
+        <translation>Zeilen der Tabellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>STEP scaffold</source>
+        <translation>STEP-Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: porosity</source>
+        <translation>STEP-Gerüst: Porosität</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: rods cut</source>
+        <translation>STEP-Gerüst: ausgeschnittene Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: time</source>
+        <translation>STEP-Gerüst: Zeit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: volume</source>
+        <translation>STEP-Gerüst: Volumen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Sample of a voxel design</source>
+        <translation>Probe eines Voxelentwurfs</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Samples</source>
+        <translation>Proben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Save job</source>
+        <translation>Auftrag speichern</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Save …</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Scaffold</source>
+        <translation>Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Scaffold as solid and as mesh, mm³</source>
+        <translation>Gerüst als Volumenkörper und als Netz, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>Scaffold: {} engine, about {}, {}</source>
+        <translation>Gerüst: Verfahren {}, etwa {}, {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Scatter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Second site</source>
+        <translation>Zweite Stelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Second tension</source>
+        <translation>Spannung 2. Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Sections</source>
+        <translation>Querschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Select a wireframe or its sites first</source>
+        <translation>Zuerst ein Drahtgerüst oder seine Stellen auswählen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Set pore</source>
+        <translation>Pore setzen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Sheets 0 … rods 1</source>
+        <translation>Lamellen 0 … Stäbe 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Site</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Site; or click one in the 3D view</source>
+        <translation>Stelle; oder eine in der 3D-Ansicht anklicken</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/prism_section.py"/>
+        <source>Sites</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Sites on</source>
+        <translation>Stellen auf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Size of the end sections, mm</source>
+        <translation>Größe der Endquerschnitte, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Size of the file</source>
+        <translation>Größe der Datei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Size of the pore</source>
+        <translation>Größe der Pore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Slice an STL, OBJ, PLY or 3MF file</source>
+        <translation>Eine STL-, OBJ-, PLY- oder 3MF-Datei schneiden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Slice analysis</source>
+        <translation>Schnittanalyse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Sliced area</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Sliced area, mm²</source>
+        <translation>Schnittfläche, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Slices: {}</source>
+        <translation>Schnitte: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Spacing u, v</source>
+        <translation>Abstand u, v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Spoilt slices</source>
+        <translation>Fehlerhafte Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Start from this design of the thesis. Select nothing: it brings its own body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Stations</source>
+        <translation>Stationen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Strategy's own choices</source>
+        <translation>Optionen der Strategie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Sum of the rods, mm³</source>
+        <translation>Summe der Stäbe, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Switch site off</source>
+        <translation>Stelle abschalten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
+        <source>Tables, report and plots are in {}</source>
+        <translation>Tabellen, Bericht und Diagramme sind in {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Tables, report and plots of what is ticked, in a folder</source>
+        <translation>Tabellen, Bericht und Diagramme der angekreuzten Analysen in einen Ordner</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/edits_list.py"/>
+        <source>Take the chosen change back</source>
+        <translation>Die gewählte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Take the chosen face away</source>
+        <translation>Die gewählte Fläche wegnehmen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Tangents</source>
+        <translation>Tangenten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Targets</source>
+        <translation>Zielwerte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Tb.Th, Tb.Sp, Conn.D, DA … on voxels (slow)</source>
+        <translation>Tb.Th, Tb.Sp, Conn.D, DA … mit Voxeln (langsam)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>The body to be filled</source>
+        <translation>Der Körper, der gefüllt wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>The contours are being worked out …</source>
+        <translation>Die Konturen werden berechnet …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>The next seed: other draws, other pairs</source>
+        <translation>Der nächste Startwert: andere Zufallszahlen, andere Paare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>The sample is being worked out …</source>
+        <translation>Die Probe wird berechnet …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>The thesis' designs, to start from</source>
+        <translation>Die Entwürfe der Dissertation als Ausgangspunkt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>This body is out of date: build it again first</source>
+        <translation>Dieser Körper ist veraltet: zuerst neu erzeugen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Tick the faces that get a compact layer</source>
+        <translation>Flächen ankreuzen, die eine kompakte Schicht erhalten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Time budget</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Time for a rod</source>
+        <translation>Zeit je Stab</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>To all</source>
+        <translation>Auf alle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>To one total by</source>
+        <translation>Ausgleich der Summe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>To whose slices the porosity refers</source>
+        <translation>Auf wessen Schnitte sich die Porosität bezieht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Total of</source>
+        <translation>Summe von</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/transactions.py"/>
+        <source>Trabecula</source>
+        <translation>Trabecula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Trabecula job</source>
+        <translation>Trabecula-Auftrag</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>Trabeculae</source>
+        <translation>Trabekel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Trabeculae counted</source>
+        <translation>Trabekel gezählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Trabecular area, mm²</source>
+        <translation>Trabekelfläche, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Tries</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Union of the rods in the envelope</source>
+        <translation>Vereinigung der Stäbe im Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Voids that no opening reaches</source>
+        <translation>Hohlräume ohne Öffnung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Volume by slices, mm³</source>
+        <translation>Volumen aus Schnitten, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>Voxel design</source>
+        <translation>Voxelentwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>Voxel layers</source>
+        <translation>Voxelschichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Voxel size</source>
+        <translation>Voxelgröße</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Voxels within</source>
+        <translation>Voxel innerhalb</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Wavelengths</source>
+        <translation>Wellenlängen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>What the rods' colours mean</source>
+        <translation>Was die Farben der Stäbe bedeuten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Whole</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>along {}</source>
+        <translation>entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>an analysis is on its way already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>area of outer contours, mm²</source>
+        <translation>Fläche der äußeren Konturen, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>area of outer contours, mm² (light: many)</source>
+        <translation>Fläche der äußeren Konturen, mm² (hell: viele)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>area, mm²</source>
+        <translation>Fläche, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>as the design</source>
+        <translation>wie der Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>asked for</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <source>being computed</source>
+        <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>box of the body</source>
+        <translation>Quader um den Körper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>box of the sample</source>
+        <translation>Quader der Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>build a scaffold first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>build a scaffold or a network first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>case </source>
+        <translation>Fall </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>choose a design …</source>
+        <translation>Entwurf wählen …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>close the open task panel first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>co-ordinate along {}, mm</source>
+        <translation>Koordinate entlang {}, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>contours (as the thesis)</source>
+        <translation>Konturen (wie in der Dissertation)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>craniofacial implant</source>
+        <translation>Schädelimplantat</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>cube</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>deflection {}, {} stations</source>
+        <translation>Abweichung {}, {} Stationen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>design: {} made, {} asked for</source>
+        <translation>Entwurf: {} erzeugt, {} verlangt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>direction: 0.6,0.8,0</source>
+        <translation>Richtung: 0.6,0.8,0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>faulty rods are being mended …</source>
+        <translation>fehlerhafte Stäbe werden repariert …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>heights: 0.5 1.0 2.5</source>
+        <translation>Höhen: 0.5 1.0 2.5</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>humerus implant</source>
+        <translation>Humerusimplantat</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/language.py"/>
+        <source>language code</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>layer </source>
+        <translation>Schicht </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>leaves the envelope</source>
+        <translation>verlässt den Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
+        <source>new prism</source>
+        <translation>neues Prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>no document is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>no face picked</source>
+        <translation>keine Fläche gewählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>nothing has been designed or analysed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>number of trabeculae</source>
+        <translation>Anzahl der Trabekel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>outer contours</source>
+        <translation>äußere Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>outlines as wires</source>
+        <translation>Umrisse als Drähte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>pip could not install {}; it says why below.</source>
+        <translation>pip konnte {} nicht installieren; der Grund steht unten.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>plates ({})</source>
+        <translation>Platten ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>porosity …</source>
+        <translation>Porosität …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>porosity ≈ {} %</source>
+        <translation>Porosität ≈ {} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>porosity, %</source>
+        <translation>Porosität, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>prism</source>
+        <translation>Prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>rods ({})</source>
+        <translation>Stäbe ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sample: asks for {} voxels</source>
+        <translation>Probe: verlangt {} Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sample: {} asked for, {} by centres</source>
+        <translation>Probe: {} verlangt, {} nach Mittelpunkten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>select a network, a scaffold, a mesh or a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>select a solid, or faces of one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>slice </source>
+        <translation>Schnitt </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>sliced area less that of {}, mm²</source>
+        <translation>Schnittfläche minus die von {}, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sliced area, mm²</source>
+        <translation>Schnittfläche, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>solids</source>
+        <translation>Volumenkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>spoilt</source>
+        <translation>fehlerhaft</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>starting</source>
+        <translation>beginnt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>sum of the rods {:.1f} %</source>
+        <translation>Summe der Stäbe {:.1f} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>there is no analysis yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>there is no design of rods yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>there is no voxel design yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>there is only one analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>to</source>
+        <translation>nach</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>voids ({})</source>
+        <translation>Hohlräume ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>voxels in the layer</source>
+        <translation>Voxel in der Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{:.1f} h</source>
+        <translation>{:.1f} h</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{:.3f} against {:.3f}, at most {:.3g} % apart (allowed: {:g} %)</source>
+        <translation>{:.3f} gegen {:.3f}, höchstens {:.3g} % auseinander (erlaubt: {:g} %)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{} ({:.3g} mm³)</source>
+        <translation>{} ({:.3g} mm³)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>{} ({} rods{})</source>
+        <translation>{} ({} Stäbe{})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>{} = {:.3f} mm, {} contours</source>
+        <translation>{} = {:.3f} mm, {} Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/panels.py"/>
+        <source>{} belongs to no design yet</source>
+        <translation>{} gehört noch zu keinem Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>{} corners: about {}, {} of memory, {} as STEP</source>
+        <translation>{} Ecken: etwa {}, {} Speicher, {} als STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>{} engine</source>
+        <translation>Verfahren {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>{} from the low end, mm</source>
+        <translation>{} ab dem unteren Ende, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>{} is installed.</source>
+        <translation>{} ist installiert.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{} is up to date and without error</source>
+        <translation>{} ist aktuell und ohne Fehler</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} leave the envelope</source>
+        <translation>{} verlassen den Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} left out</source>
+        <translation>{} weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>{} lines that make {} again are on the clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} mended</source>
+        <translation>{} repariert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>{} mm², porosity {} %</source>
+        <translation>{} mm², Porosität {} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>{} of {} hold</source>
+        <translation>{} von {} erfüllt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} rods</source>
+        <translation>{} Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>{} was written</source>
+        <translation>{} wurde geschrieben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>{} was written: {}</source>
+        <translation>{} wurde geschrieben: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>{}, c = {} mm</source>
+        <translation>{}, c = {} mm</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_AnalyseNow</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Analyse at once</source>
+        <translation>Sofort analysieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Analysis</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice analysis</source>
+        <translation>Schnittanalyse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Compare</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Compare analyses</source>
+        <translation>Analysen vergleichen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Show two or more analyses on shared axes, and how near they are. Select them, or none for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_CopyScript</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Copy as script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Copy the Python that makes it again. Select a design or an analysis, or nothing for all of the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Design</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Design a network of rods. Select a solid, or a design to change; with nothing selected a prism is filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Design rods</source>
+        <translation>Stäbe entwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_EditSite</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Change, move or switch off one site or its pore. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Edit site and pore</source>
+        <translation>Stelle und Pore bearbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Export</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Write scaffold, channels or rods as STL, STEP, BREP, OBJ, PLY, 3MF, sizes first. Needs a scaffold or a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_FaceSites</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Lay sites on faces. Select a solid, whose faces you pick next, or faces of one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Sites on faces</source>
+        <translation>Stellen auf Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_LayerShapes</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Layer shapes</source>
+        <translation>Schichtkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Network</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Build network</source>
+        <translation>Netzwerk erzeugen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Build the rods as solids (STEP); no Boolean is needed. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_OpenJob</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Open a job file: all that a design needs. Select nothing: it names its own body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Open job</source>
+        <translation>Auftrag öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Plots</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slices and plots</source>
+        <translation>Schnitte und Diagramme</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Presets</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Designs of the thesis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Start from a design of the thesis. Select nothing: it brings its own body</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Results</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Porosity, volumes, counts, recoveries, pore sizes, checks. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_RodInfo</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Rod at a click</source>
+        <translation>Stab unter dem Klick</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Show or hide what is known of a rod. Select one in the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_SaveJob</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Save job</source>
+        <translation>Auftrag speichern</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Save the design as a job file, which the command line runs too. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Scaffold</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Build scaffold</source>
+        <translation>Gerüst erzeugen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Cut the channels out of the envelope: scaffold, channels, porosity. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Switch</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Rods or channels</source>
+        <translation>Stäbe oder Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Show rods or channels: two views of one wireframe. Needs a scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_VoxelExport</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Export voxels</source>
+        <translation>Voxel exportieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Write mesh, voxels or images of layers; sizes are shown first. Needs a voxel design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_VoxelLayers</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Show or hide the layers of sample and design with their counts. Select a voxel design, or nothing for the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Voxel layers</source>
+        <translation>Voxelschichten</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Voxels</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Design voxels</source>
+        <translation>Voxel entwerfen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Trabecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>S&amp;tudy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

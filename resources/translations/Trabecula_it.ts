@@ -1,0 +1,7893 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="it" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>0 makes sheets, 1 makes rods of the texture; -1: fitted to the sample, or 0.3 without one</source>
+        <translation>0 fa lamine, 1 fa aste della tessitura; -1: adattato al campione, o 0,3 senza campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>A contour that fills so much of its box is a rod, else a plate</source>
+        <translation>Un contorno che riempie tanto del suo rettangolo è un'asta, altrimenti una piastra</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Axes along which the number of trabeculae per layer is a target too</source>
+        <translation>Assi lungo i quali anche il numero di trabecole per strato è un obiettivo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Axes of the planes: x, y, z, or a direction such as 0.6,0.8,0</source>
+        <translation>Assi dei piani: x, y, z, o una direzione come 0.6,0.8,0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
+        <translation>I blocchi conservano esattamente volume e aree; liscia conserva il volume</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Body and face of the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Body within which voxels may lie; none: the sample's box</source>
+        <translation>Corpo entro il quale possono stare i voxel; nessuno: il parallelepipedo del campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Cell of the field engine</source>
+        <translation>Cella del metodo a campo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Changes of single sites by hand, a JSON record a line: {"site": "Face1.2.3", "action": "off"}</source>
+        <translation>Modifiche a mano di singoli siti, un record JSON per riga: {"site": "Face1.2.3", "action": "off"}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Closed contours of a shorter perimeter are left out</source>
+        <translation>I contorni chiusi di perimetro minore sono esclusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Co-ordinates of planes, mm; with at = heights</source>
+        <translation>Coordinate dei piani, mm; con at = heights</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Co-ordinates of the planes along the axis, ascending</source>
+        <translation>Coordinate dei piani lungo l'asse, crescenti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Compact layers</source>
+        <translation>Strati compatti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Compatible tables by construction, or by the thesis' try-and-repeat</source>
+        <translation>Tabelle compatibili per costruzione, o per tentativi ripetuti come nella tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner</source>
+        <translation>Componente della tangente unitaria a ogni vertice</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: direction in which a linear law grows</source>
+        <translation>Componente della tangente unitaria a ogni vertice: direzione in cui cresce una legge lineare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Componente della tangente unitaria a ogni vertice: formula di x, y, z (mm) e di un u casuale in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: how it varies over the design</source>
+        <translation>Componente della tangente unitaria a ogni vertice: come varia nel progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Componente della tangente unitaria a ogni vertice: il valore costante, o il minimo; lineare, radiale: all'inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Component of the unit tangent at each corner: the greatest value; linear, radial: at the end</source>
+        <translation>Componente della tangente unitaria a ogni vertice: il valore massimo; lineare, radiale: alla fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Connected parts (6 neighbours)</source>
+        <translation>Parti connesse (6 vicini)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Connected pieces of the channels</source>
+        <translation>Parti connesse dei canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Connected pieces of the scaffold</source>
+        <translation>Parti connesse dello scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Contacts by a corner alone</source>
+        <translation>Contatti per solo vertice</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Contacts by an edge alone</source>
+        <translation>Contatti per solo spigolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Contacts that are avoided: none by an edge alone, or none by an edge or a corner alone; any: all are allowed</source>
+        <translation>Contatti evitati: nessuno per solo spigolo, o nessuno per solo spigolo o vertice; qualsiasi: tutti ammessi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Contours are offset by this into the material (tool compensation)</source>
+        <translation>I contorni sono traslati di tanto verso il materiale (compensazione utensile)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Contours of all slices that are counted</source>
+        <translation>Contorni di tutte le fette che si contano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Contours of no more area are not counted</source>
+        <translation>I contorni di area non maggiore non si contano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Convergence points; none means the centre of the envelope</source>
+        <translation>Punti di convergenza; nessuno significa il centro dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Corners of the spline; with 4 they lie on the square, else on a polygon of its area</source>
+        <translation>Vertici della spline; se 4 stanno sul quadrato, altrimenti su un poligono di pari area</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Count of faces; points on the face and normals there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Cross-sections of a rod: one all along, or one at each end</source>
+        <translation>Sezioni di un'asta: una per tutta la lunghezza, o una a ogni estremo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners</source>
+        <translation>Diametro del cerchio, o lato del quadrato per i vertici</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: direction in which a linear law grows</source>
+        <translation>Diametro del cerchio, o lato del quadrato per i vertici: direzione in cui cresce una legge lineare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Diametro del cerchio, o lato del quadrato per i vertici: formula di x, y, z (mm) e di un u casuale in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: how it varies over the design</source>
+        <translation>Diametro del cerchio, o lato del quadrato per i vertici: come varia nel progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Diametro del cerchio, o lato del quadrato per i vertici: il valore costante, o il minimo; lineare, radiale: all'inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Diameter of the circle, or side of the square through the corners: the greatest value; linear, radial: at the end</source>
+        <translation>Diametro del cerchio, o lato del quadrato per i vertici: il valore massimo; lineare, radiale: alla fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Difference between both volumes, %</source>
+        <translation>Differenza tra i due volumi, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line u; none means the face's own</source>
+        <translation>Direzione della linea coordinata u; nessuna significa quella della faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line u; none means the face's own (the zero vector) (d1)</source>
+        <translation>Direzione della linea coordinata u; nessuna significa quella della faccia (il vettore nullo) (d1)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line v; none means across d1</source>
+        <translation>Direzione della linea coordinata v; nessuna significa trasversale a d1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Direction of the co-ordinate line v; none means across d1 (the zero vector) (d2)</source>
+        <translation>Direzione della linea coordinata v; nessuna significa trasversale a d1 (il vettore nullo) (d2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Distance of triangles from a solid; 0: chosen</source>
+        <translation>Distanza dei triangoli da un solido; 0: scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Edges dx, dy, dz of a voxel; one number makes a cube</source>
+        <translation>Lati dx, dy, dz di un voxel; un solo numero fa un cubo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Edges of the box for the random middle point (Eq. 3.1)</source>
+        <translation>Lati del parallelepipedo per il punto intermedio casuale (Eq. 3.1)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Engine that cut the channels</source>
+        <translation>Metodo che ha tagliato i canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Face at which the rods start</source>
+        <translation>Faccia dalla quale partono le aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Face at which they end</source>
+        <translation>Faccia alla quale terminano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Face of the envelope</source>
+        <translation>Faccia dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Face of the envelope, as FreeCAD names it</source>
+        <translation>Faccia dell'involucro, come la chiama FreeCAD</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Faces to be thickened; none means no layer</source>
+        <translation>Facce da ispessire; nessuna significa nessuno strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Field of the strategies by-field and best-tables: voxels lie where it is high</source>
+        <translation>Campo delle strategie per campo e migliori da tabelle: i voxel stanno dove è alto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Gap fill: largest gap of an open contour that is closed</source>
+        <translation>Chiusura lacune: massima lacuna di un contorno aperto che viene chiusa</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Gap fill: rounds of closing</source>
+        <translation>Chiusura lacune: numero di passate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Greatest distance of the triangles from the true rod; 0 chooses 1/40 of the mean size</source>
+        <translation>Massima distanza dei triangoli dall'asta vera; 0 sceglie 1/40 della dimensione media</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Greatest number of rods; 0 means as many as the smaller face has sites</source>
+        <translation>Massimo numero di aste; 0 significa quanti siti ha la faccia minore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Hash of the numbers of each rod</source>
+        <translation>Impronta dei numeri di ogni asta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Height along Z</source>
+        <translation>Altezza lungo Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>How a row of a table is drawn: in proportion to what the columns still need, or uniformly as in the thesis</source>
+        <translation>Come si estrae una riga di tabella: in proporzione a ciò che manca alle colonne, o uniformemente come nella tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>How rounded counts are brought to one total: largest remainders, or the thesis' random layers</source>
+        <translation>Come i conteggi arrotondati sono portati a un solo totale: resti maggiori, o gli strati casuali della tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>How the layers are filled</source>
+        <translation>Come si riempiono gli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Keep pieces that channels cut off all round, and closed voids as they are</source>
+        <translation>Conservare come sono i pezzi che i canali isolano e i vuoti chiusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Key of the inputs of the result</source>
+        <translation>Chiave dei dati del risultato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Largest difference of one rod, %</source>
+        <translation>Massima differenza di un'asta, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Layers along X (N)</source>
+        <translation>Strati lungo X (N)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Layers along Y (M)</source>
+        <translation>Strati lungo Y (M)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Layers along Z (P)</source>
+        <translation>Strati lungo Z (P)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along u</source>
+        <translation>Distanza minima dal bordo lungo u</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along u (b_u)</source>
+        <translation>Distanza minima dal bordo lungo u (b_u)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along v</source>
+        <translation>Distanza minima dal bordo lungo v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance from the border along v (b_v)</source>
+        <translation>Distanza minima dal bordo lungo v (b_v)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along X</source>
+        <translation>Distanza minima dei siti dai bordi lungo X</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along X (a_x)</source>
+        <translation>Distanza minima dei siti dai bordi lungo X (a_x)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Y</source>
+        <translation>Distanza minima dei siti dai bordi lungo Y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Y (a_y)</source>
+        <translation>Distanza minima dei siti dai bordi lungo Y (a_y)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Z</source>
+        <translation>Distanza minima dei siti dai bordi lungo Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Least distance of the sites from the borders along Z (a_z)</source>
+        <translation>Distanza minima dei siti dai bordi lungo Z (a_z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Least thickness in voxels</source>
+        <translation>Spessore minimo in voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Least void between solid in voxels</source>
+        <translation>Vuoto minimo tra il materiale, in voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length along X</source>
+        <translation>Lunghezza lungo X</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve</source>
+        <translation>Lunghezza della tangente al primo estremo di una curva a 2 punti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: direction in which a linear law grows</source>
+        <translation>Lunghezza della tangente al primo estremo di una curva a 2 punti: direzione in cui cresce una legge lineare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Lunghezza della tangente al primo estremo di una curva a 2 punti: formula di x, y, z (mm) e di un u casuale in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: how it varies over the design</source>
+        <translation>Lunghezza della tangente al primo estremo di una curva a 2 punti: come varia nel progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Lunghezza della tangente al primo estremo di una curva a 2 punti: il valore costante, o il minimo; lineare, radiale: all'inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the first end of a 2-point curve: the greatest value; linear, radial: at the end</source>
+        <translation>Lunghezza della tangente al primo estremo di una curva a 2 punti: il valore massimo; lineare, radiale: alla fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve</source>
+        <translation>Lunghezza della tangente al secondo estremo di una curva a 2 punti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: direction in which a linear law grows</source>
+        <translation>Lunghezza della tangente al secondo estremo di una curva a 2 punti: direzione in cui cresce una legge lineare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Lunghezza della tangente al secondo estremo di una curva a 2 punti: formula di x, y, z (mm) e di un u casuale in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: how it varies over the design</source>
+        <translation>Lunghezza della tangente al secondo estremo di una curva a 2 punti: come varia nel progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Lunghezza della tangente al secondo estremo di una curva a 2 punti: il valore costante, o il minimo; lineare, radiale: all'inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangent at the second end of a 2-point curve: the greatest value; linear, radial: at the end</source>
+        <translation>Lunghezza della tangente al secondo estremo di una curva a 2 punti: il valore massimo; lineare, radiale: alla fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent</source>
+        <translation>Lunghezza delle tangenti in lati del quadrato; 1 è la tangente unitaria della tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: direction in which a linear law grows</source>
+        <translation>Lunghezza delle tangenti in lati del quadrato; 1 è la tangente unitaria della tesi: direzione in cui cresce una legge lineare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Lunghezza delle tangenti in lati del quadrato; 1 è la tangente unitaria della tesi: formula di x, y, z (mm) e di un u casuale in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: how it varies over the design</source>
+        <translation>Lunghezza delle tangenti in lati del quadrato; 1 è la tangente unitaria della tesi: come varia nel progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: the constant value, or the least; linear, radial: at the start</source>
+        <translation>Lunghezza delle tangenti in lati del quadrato; 1 è la tangente unitaria della tesi: il valore costante, o il minimo; lineare, radiale: all'inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Length of the tangents in sides of the square; 1 is the thesis' unit tangent: the greatest value; linear, radial: at the end</source>
+        <translation>Lunghezza delle tangenti in lati del quadrato; 1 è la tangente unitaria della tesi: il valore massimo; lineare, radiale: alla fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Mean deviation of the numbers of trabeculae per layer along X, Y, Z, %; none if they were not asked for</source>
+        <translation>Scarto medio dei numeri di trabecole per strato lungo X, Y, Z, %; nessuno se non erano richiesti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Mean of sliced area over envelope area, over the axes, %</source>
+        <translation>Media dell'area di fetta sull'area dell'involucro, sugli assi, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Memory budget of the B-Rep engine</source>
+        <translation>Limite di memoria del metodo B-Rep</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Memory budget of the B-Rep engine (memory_gb)</source>
+        <translation>Limite di memoria del metodo B-Rep (memory_gb)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Minimum zeros propagation: columns are solved one after the other (fewest zeros u), or rows (fewest zeros v)</source>
+        <translation>Propagazione del minimo di zeri: si risolvono una dopo l'altra le colonne (minimo di zeri u) o le righe (minimo di zeri v)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Most voxels in a line (x, z), thesis 6.2.4.3; 0 means M</source>
+        <translation>Massimo di voxel in una linea (x, z), tesi 6.2.4.3; 0 significa M</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Most voxels in a line (y, z); 0 means N</source>
+        <translation>Massimo di voxel in una linea (y, z); 0 significa N</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Name of the site, e.g. Face1.2.-3; for add: the face and any new word, e.g. Face1.extra</source>
+        <translation>Nome del sito, p. es. Face1.2.-3; per aggiungere: la faccia e una parola nuova, p. es. Face1.extra</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Names of the rods in the order of the solids</source>
+        <translation>Nomi delle aste nell'ordine dei solidi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>New place; it is set on the face</source>
+        <translation>Nuova posizione; è riportata sulla faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>New size of the pore</source>
+        <translation>Nuova dimensione del poro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>New tangent components, one per corner, in 0..1</source>
+        <translation>Nuove componenti delle tangenti, una per vertice, in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Number of rods</source>
+        <translation>Numero di aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Number of triangles</source>
+        <translation>Numero di triangoli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Off: the coupling makes no rods</source>
+        <translation>No: l'accoppiamento non fa aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Offset of the contours into the material</source>
+        <translation>Traslazione dei contorni verso il materiale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>On: also Tb.Th, Tb.Sp, Conn.D, DA ... on voxels; slow</source>
+        <translation>Sì: anche Tb.Th, Tb.Sp, Conn.D, DA ... su voxel; lento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>On: made after the channels and closes them; off: the channels go through</source>
+        <translation>Sì: fatto dopo i canali e li chiude; no: i canali lo attraversano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>On: only from SliceLow to SliceHigh is sliced</source>
+        <translation>Sì: si affetta solo da SliceLow a SliceHigh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>On: the value counts. Origin P of the co-ordinate lines; none means the centre of the face</source>
+        <translation>Sì: il valore conta. Origine P delle linee coordinate; nessuna significa il centro della faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>One number reproduces all draws</source>
+        <translation>Un solo numero riproduce tutte le estrazioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>One number reproduces all random draws</source>
+        <translation>Un solo numero riproduce tutte le estrazioni casuali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Open contours shorter than this are left out</source>
+        <translation>I contorni aperti più corti sono esclusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Origin P of the co-ordinate lines; none means the centre of the face</source>
+        <translation>Origine P delle linee coordinate; nessuna significa il centro della faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Pairs of faces in order, a JSON record a line: {"first": "Face1", "second": "Face2", "association": "random"}</source>
+        <translation>Coppie di facce in ordine, un record JSON per riga: {"first": "Face1", "second": "Face2", "association": "random"}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Pairs of tables that are tried before the search gives up</source>
+        <translation>Coppie di tabelle tentate prima che la ricerca si arrenda</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Paths of this coupling; none means those of the design</source>
+        <translation>Percorsi di questo accoppiamento; nessuno significa quelli del progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Pieces that channels cut off all round</source>
+        <translation>Pezzi isolati dai canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Plain sum of the rods' volumes over the envelope's, %</source>
+        <translation>Somma semplice dei volumi delle aste su quello dell'involucro, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Planes at the layers' middles, at their bottoms (thesis), at heights</source>
+        <translation>Piani a metà degli strati, alla loro base (tesi), a quote date</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Points that hardly turn a contour are left out</source>
+        <translation>I punti che piegano appena un contorno sono esclusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Pores that overlap or reach over a border</source>
+        <translation>Pori che si sovrappongono o superano un bordo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Processor time that it took, s</source>
+        <translation>Tempo di processore impiegato, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Random displacement of each corner, in sides of the square</source>
+        <translation>Spostamento casuale di ogni vertice, in lati del quadrato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Rods of the wireframe</source>
+        <translation>Aste del reticolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Rods that leave the envelope between their ends</source>
+        <translation>Aste che escono dall'involucro tra i loro estremi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Rods that no remedy mended; they are left out</source>
+        <translation>Aste che nessun rimedio ha riparato; sono escluse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Rods that the last recompute built or took anew</source>
+        <translation>Aste che l'ultimo ricalcolo ha costruito o preso di nuovo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Rods that were cut away</source>
+        <translation>Aste tagliate via</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Rods that were mended: fault, remedy, attempts</source>
+        <translation>Aste riparate: difetto, rimedio, tentativi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>STL, OBJ, PLY or 3MF that is sliced if there is no source</source>
+        <translation>STL, OBJ, PLY o 3MF affettato se non c'è un corpo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>STL, OBJ, PLY, 3MF, an analysis' CSV or JSON, NPY</source>
+        <translation>STL, OBJ, PLY, 3MF, CSV o JSON di un'analisi, NPY</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sections through which the surface of a solid rod is laid</source>
+        <translation>Sezioni per le quali passa la superficie di un'asta solida</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Share of the envelope inside the rods, nothing taken away or filled, %</source>
+        <translation>Quota dell'involucro entro le aste, nulla tolto o riempito, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Share of the envelope that is not scaffold, % (Eq. 2.2)</source>
+        <translation>Quota dell'involucro che non è scaffold, % (Eq. 2.2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Share of the voxels in the largest part, %</source>
+        <translation>Quota dei voxel nella parte maggiore, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Short name used in couplings and reports, e.g. A; none means the face's own</source>
+        <translation>Nome breve usato in accoppiamenti e relazioni, p. es. A; nessuno significa quello della faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Short name used in couplings and reports, e.g. A; none means the face's own (name)</source>
+        <translation>Nome breve usato in accoppiamenti e relazioni, p. es. A; nessuno significa quello della faccia (name)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along X</source>
+        <translation>Siti lungo X</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along X (n_x)</source>
+        <translation>Siti lungo X (n_x)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Y</source>
+        <translation>Siti lungo Y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Y (n_y)</source>
+        <translation>Siti lungo Y (n_y)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Z</source>
+        <translation>Siti lungo Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites along Z (n_z)</source>
+        <translation>Siti lungo Z (n_z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sites available, rods, sites left, for each coupling (tables 4.2, 4.5)</source>
+        <translation>Siti disponibili, aste, siti rimasti, per ogni accoppiamento (tabelle 4.2, 4.5)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>Sites on all faces</source>
+        <translation>Siti su tutte le facce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sites on its faces</source>
+        <translation>Siti sulle sue facce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>Sites on the face</source>
+        <translation>Siti sulla faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Sites that earlier couplings used may be used again</source>
+        <translation>I siti usati da accoppiamenti precedenti possono essere riusati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sizes of the rods' end sections, mm</source>
+        <translation>Dimensioni delle sezioni di estremità delle aste, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Slices along all axes</source>
+        <translation>Fette lungo tutti gli assi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Slices on which the mesh is not closed: their numbers may be wrong</source>
+        <translation>Fette in cui la mesh non è chiusa: i loro numeri possono essere errati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Solid voxels</source>
+        <translation>Voxel pieni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Solid voxels over all of the envelope, %</source>
+        <translation>Voxel pieni su tutti quelli dell'involucro, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the lines along v</source>
+        <translation>Passo delle linee lungo v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the lines along v (c_v)</source>
+        <translation>Passo delle linee lungo v (c_v)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the sites along u</source>
+        <translation>Passo dei siti lungo u</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Spacing of the sites along u (c_u)</source>
+        <translation>Passo dei siti lungo u (c_u)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Sum of sliced area x thickness, mean of the axes</source>
+        <translation>Somma di area di fetta x spessore, media degli assi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Sum of the solids' volumes; overlaps count twice</source>
+        <translation>Somma dei volumi dei solidi; le sovrapposizioni contano due volte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Sum of the volumes of the rods' meshes: the independent route</source>
+        <translation>Somma dei volumi delle mesh delle aste: la via indipendente</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Targets from sections through the middles of the layers (Eq. 6.1), or from the volumes of the slabs</source>
+        <translation>Obiettivi da sezioni a metà degli strati (Eq. 6.1), o dai volumi delle lastre</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>The analysis: its numbers</source>
+        <translation>L'analisi: i suoi numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>The analysis: names, tables, places of its numbers</source>
+        <translation>L'analisi: nomi, tabelle, posti dei suoi numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>The body that is sliced; none: the file</source>
+        <translation>Il corpo affettato; nessuno: il file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>The body to be filled</source>
+        <translation>Il corpo da riempire</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>The design: its numbers</source>
+        <translation>Il progetto: i suoi numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>The design: names, places of its numbers</source>
+        <translation>Il progetto: nomi, posti dei suoi numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>The prism, a box</source>
+        <translation>Il prisma, un parallelepipedo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>The sample: a body, or an analysis; none: the file</source>
+        <translation>Il campione: un corpo, o un'analisi; nessuno: il file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>The scaffold of which this is a part</source>
+        <translation>Lo scaffold di cui questo fa parte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>The wireframe whose rods these are</source>
+        <translation>Il reticolo di cui queste sono le aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>The wireframe: its numbers</source>
+        <translation>Il reticolo: i suoi numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>The wireframe: names, tables, places of its numbers</source>
+        <translation>Il reticolo: nomi, tabelle, posti dei suoi numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Thickness of a layer</source>
+        <translation>Spessore di uno strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Thickness of the layer</source>
+        <translation>Spessore dello strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Tilt of the inner sections towards the path's normal planes</source>
+        <translation>Inclinazione delle sezioni interne verso i piani normali del percorso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Time budget of the B-Rep engine</source>
+        <translation>Limite di tempo del metodo B-Rep</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Time budget of the B-Rep engine (seconds)</source>
+        <translation>Limite di tempo del metodo B-Rep (seconds)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Time that it took, s</source>
+        <translation>Tempo impiegato, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Times that tangents or middle points are drawn again before the path is changed</source>
+        <translation>Quante volte tangenti o punti intermedi sono estratti di nuovo prima di cambiare il percorso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>To whose slices the porosity refers; none: the body's box</source>
+        <translation>Alle cui fette si riferisce la porosità; nessuno: il parallelepipedo del corpo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Triangles that were sliced</source>
+        <translation>Triangoli affettati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>True areas of the rods' end sections, mm^2</source>
+        <translation>Aree vere delle sezioni di estremità delle aste, mm^2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Unit of the file; auto: guessed, and said</source>
+        <translation>Unità del file; auto: stimata, e detta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Unit of the numbers before they became mm</source>
+        <translation>Unità dei numeri prima che diventassero mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>Version of the object</source>
+        <translation>Versione dell'oggetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Voids that no opening reaches</source>
+        <translation>Vuoti senza apertura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the channels</source>
+        <translation>Volume dei canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the envelope</source>
+        <translation>Volume dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the layers outside of the envelope</source>
+        <translation>Volume degli strati fuori dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Volume of the mesh: the independent route</source>
+        <translation>Volume della mesh: la via indipendente</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the pieces that channels cut off all round</source>
+        <translation>Volume dei pezzi isolati dai canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Volume of the same cut by the mesh engine: the independent route</source>
+        <translation>Volume dello stesso taglio col metodo a mesh: la via indipendente</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the scaffold</source>
+        <translation>Volume dello scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Volume of the scaffold as it is shown</source>
+        <translation>Volume dello scaffold come è mostrato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Volume of the solid voxels</source>
+        <translation>Volume dei voxel pieni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Volume of the solid, loose pieces included</source>
+        <translation>Volume del solido, pezzi staccati inclusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Volume of the triangles: the independent route</source>
+        <translation>Volume dei triangoli: la via indipendente</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Volume of the voids that no opening reaches</source>
+        <translation>Volume dei vuoti senza apertura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Volumes of the rods' meshes, mm^3</source>
+        <translation>Volumi delle mesh delle aste, mm^3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>Volumes of the solids, mm^3</source>
+        <translation>Volumi dei solidi, mm^3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Voxels at the envelope's boundary belong to it when their centre does, when they touch it, or when they lie inside it whole</source>
+        <translation>I voxel al bordo dell'involucro vi appartengono se vi sta il loro centro, se lo toccano, o se vi stanno per intero</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Wavelengths of the trabecular texture along X, Y, Z; 0: fitted to the sample, or eight voxels without one</source>
+        <translation>Lunghezze d'onda della tessitura trabecolare lungo X, Y, Z; 0: adattate al campione, o otto voxel senza campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>What is to be known</source>
+        <translation>Ciò che c'è da sapere</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>What overlaps counts as often as it overlaps, or once (union)</source>
+        <translation>Ciò che si sovrappone conta tante volte quante si sovrappone, o una sola (unione)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>What the last recompute said</source>
+        <translation>Ciò che ha detto l'ultimo ricalcolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>What this is of the scaffold</source>
+        <translation>Che cosa è questo dello scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>What was worked out twice, by independent routes, and how far the two differ</source>
+        <translation>Ciò che è calcolato due volte, per vie indipendenti, e di quanto differiscono</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Where the layers begin</source>
+        <translation>Dove cominciano gli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Where the layers begin; nan: where the body does</source>
+        <translation>Dove cominciano gli strati; nan: dove comincia il corpo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Where the layers end</source>
+        <translation>Dove finiscono gli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>Where the layers end; nan: where the body does</source>
+        <translation>Dove finiscono gli strati; nan: dove finisce il corpo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Whether all rods were cut</source>
+        <translation>Se tutte le aste sono state tagliate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Whether every layer along X, Y and Z has the voxels asked for</source>
+        <translation>Se ogni strato lungo X, Y e Z ha i voxel richiesti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Whether scaffold and channels are closed</source>
+        <translation>Se scaffold e canali sono chiusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Whether the mesh is closed</source>
+        <translation>Se la mesh è chiusa</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>Whether the result belongs to the present inputs</source>
+        <translation>Se il risultato corrisponde ai dati attuali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Which axis' real total is the common one (thesis: z)</source>
+        <translation>Il totale reale di quale asse è quello comune (tesi: z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Which of several convergence points a rod takes</source>
+        <translation>Quale di più punti di convergenza prende un'asta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>Why it stopped, if it did</source>
+        <translation>Perché si è fermato, se si è fermato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>Why this engine, and what it was expected to take</source>
+        <translation>Perché questo metodo, e che cosa ci si aspettava che richiedesse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Width along Y</source>
+        <translation>Larghezza lungo Y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>circle, or closed spline through corners with random tangents</source>
+        <translation>cerchio, o spline chiusa per vertici con tangenti casuali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>inwards: the outer part of the envelope; outwards: added to it</source>
+        <translation>verso l'interno: la parte esterna dell'involucro; verso l'esterno: gli si aggiunge</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>mesh: exact triangles; field: rays and cells, for many rods; brep: STEP</source>
+        <translation>mesh: triangoli esatti; campo: raggi e celle, per molte aste; B-Rep: STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>off, move (to point), add (at point), pore (size and turns)</source>
+        <translation>no, sposta (al punto), aggiungi (nel punto), poro (dimensione e tangenti)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point; box: through a random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals</source>
+        <translation>ortogonale: lungo la normale; retto: unisce i siti; centro: curva a 3 punti per un punto di convergenza; riquadro: per un punto casuale di un parallelepipedo attorno ad esso (Eq. 3.1); tensione: curva a 2 punti lungo le normali interne</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>random pairs of sites, or site (i, j) to site (i, j)</source>
+        <translation>coppie casuali di siti, o sito (i, j) con sito (i, j)</translation>
+    </message>
+</context>
+<context>
+    <name>Choices</name>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>add</source>
+        <translation>aggiungi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>any</source>
+        <translation>qualsiasi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>auto</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>best-tables</source>
+        <translation>migliori da tabelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>blocks</source>
+        <translation>blocchi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>border</source>
+        <translation>bordo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>bottom</source>
+        <translation>alla base</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>box</source>
+        <translation>riquadro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>brep</source>
+        <translation>B-Rep</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>by-field</source>
+        <translation>per campo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>centre</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>circle</source>
+        <translation>cerchio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>columns</source>
+        <translation>colonne</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>constant</source>
+        <translation>costante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>constraint</source>
+        <translation>con vincolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>corner</source>
+        <translation>per vertice</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>coupling</source>
+        <translation>accoppiamento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>edge</source>
+        <translation>per spigolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>expression</source>
+        <translation>formula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>field</source>
+        <translation>campo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>gyroid</source>
+        <translation>giroide</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>half</source>
+        <translation>per metà</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heavy</source>
+        <translation>forte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights</source>
+        <translation>quote</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>inside</source>
+        <translation>interna</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>inwards</source>
+        <translation>verso l'interno</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>linear</source>
+        <translation>lineare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>mesh</source>
+        <translation>mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>middle</source>
+        <translation>a metà</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>minimum-zeros</source>
+        <translation>minimo di zeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>move</source>
+        <translation>sposta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>nearest</source>
+        <translation>più vicino</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>noise</source>
+        <translation>rumore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>off</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>orthogonal</source>
+        <translation>ortogonale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>outwards</source>
+        <translation>verso l'esterno</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>picked faces</source>
+        <translation>facce scelte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>pore</source>
+        <translation>poro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>prism</source>
+        <translation>prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>proportional</source>
+        <translation>proporzionale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>radial</source>
+        <translation>radiale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>random</source>
+        <translation>casuale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>random-layers</source>
+        <translation>strati casuali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>remainders</source>
+        <translation>resti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>repeat</source>
+        <translation>ripetizione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>rows</source>
+        <translation>righe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>same</source>
+        <translation>stesso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>sequential</source>
+        <translation>sequenziale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>sheets</source>
+        <translation>lamine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>size</source>
+        <translation>dimensione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>slab</source>
+        <translation>lastra</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>smooth</source>
+        <translation>liscia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>spline</source>
+        <translation>spline</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>straight</source>
+        <translation>retto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>tension</source>
+        <translation>tensione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>thesis</source>
+        <translation>tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>touched</source>
+        <translation>toccata</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>trabecular</source>
+        <translation>trabecolare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>uniform</source>
+        <translation>uniforme</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>union</source>
+        <translation>unione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>winding</source>
+        <translation>avvolgimento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>xy</source>
+        <translation>xy</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>xyz</source>
+        <translation>xyz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>xz</source>
+        <translation>xz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>yz</source>
+        <translation>yz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+</context>
+<context>
+    <name>Core</name>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source> (closed: make a solid of it first)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source> ... ({} layers)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source> above {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source> and with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source> or {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source> within the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>, {} of them spoilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>1 / (Tb.Th + Tb.Sp); programs that measure between mid-axes, or divide BV/TV by Tb.Th, get other numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>1 less what the body adds to the Euler number of the structure it was cut out of: the box's faces count half, its edges a quarter, its corners an eighth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>; closed layers need a Boolean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>; exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>; it is not there now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>Analysis {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>BS over BV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>BV over TV; porosity is 1 less it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>BV/TV is {} by triangles and {} by voxels: parts of the mesh overlap (then the voxels are right), or are thinner than a voxel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>Conn over TV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>DA by all lines through BS, from its normals: the second route, exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>DA.mesh: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>DA: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>Euler number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>File from which the envelope was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>Hellinger distance of the distributions of trabecular area over logarithmic bins, five per decade with borders at 10^(k/5) mm2: sqrt(sum (sqrt p - sqrt q)^2 / 2); 0 = equal, 1 = no bin shared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>Kolmogorov-Smirnov distance of the distributions of trabecular area (net of holes, each trabecula of each slice once): largest difference of the two shares of trabeculae up to an area; not binned; 0 = equal, 1 = apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>Layers of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>On: computed with every recompute; off: shown as out of date until it is updated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>On: the value counts. {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
+        <source>One connected part of sheets and rods, like the sample's; no floating voxel, no closed cavity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>Pearson's correlation of the profiles over the shared layers; 1 = same shape; none if a profile is constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Samples are laid side by side by {}; differences are against {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/makers.py"/>
+        <source>Sites {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Sliced area (mm2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>Solid in that file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>Solid{}{} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Total number of plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Total number of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>Trabecular area range (mm2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>Voxels {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>What was mended in the file's solid, and what looks wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>a 3MF file must be a whole ZIP archive: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>a 3MF file must hold {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>a Boolean must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>a PLY file must begin with its header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>a cap of {} on {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>a change by hand does not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>a change by hand does not fit the design: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/sites.py"/>
+        <source>a change by hand must name a site of face {} ({} sites), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pieces.py"/>
+        <source>a closed mesh must hold some volume, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line could not be followed for {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line has no end after {} steps and {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line left the face unnoticed after {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a co-ordinate line's plane touches the face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a comparison needs at least two analyses, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a convergence point's co-ordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/couplings.py"/>
+        <source>a coupled face must have at least 1 site, got 0 on face {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a coupling must join faces of the job ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/couplings.py"/>
+        <source>a coupling must join faces that have sites ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a coupling needs two faces, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a curve must have at least one point, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a curve's points must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a curve's points must differ along the axis, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
+        <source>a design for these targets must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a design must be an array with three axes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>a design must have at least one solid voxel to have a surface, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/blocks.py"/>
+        <source>a design must have at least one voxel to have a mesh, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>a design must have at least one voxel; the densities in this mask make, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a design must have at most {} rods; this one would take about {} hours and {} GB, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>a design must have at most {} voxels; {} would take about {} GB of memory; larger voxels make fewer, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
+        <source>a design must have solid voxels, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
+        <source>a direction must not be along the face's normal at the origin of its line, got ({}, {}, {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
+        <source>a fabric ellipsoid needs at least 6 directions, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
+        <source>a fabric needs a surface that lines cross, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/couplings.py"/>
+        <source>a face can be coupled with itself only if it is curved: rods of the flat face {} would lie in its plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a face must be named, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a face must be one of Face1..Face{} or {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a face must be one of Face1..Face{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>a face must have at most {} sites, but spacings of {} and {} mm give about {} on {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a face must have one normal per vertex, got {} for {} vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>a face of {} must be one of Face1..Face{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a face to be thickened must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a fault without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/nodes.py"/>
+        <source>a field may have {} nodes; a cell size of {} mm needs {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
+        <source>a file of layers is read as it is: heights and a range cannot be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job must be JSON: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/jobs.py"/>
+        <source>a job must have the sites of 1 prism, or those of faces, got {} prisms and {} faces in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job needs at least one coupling, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job needs either an envelope file or a prism, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a job's numbers must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>a law must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>a law's bounds must be finite numbers, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a layer along {} holds {} voxels, but layer {} is asked for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a layer along {} holds {} voxels, but the area {} mm² of layer {} asks for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_outlines.py"/>
+        <source>a layer must be an array of two axes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>a layer must be one of 0..{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold, and smoothing does not help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a layer's thickness must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>a mask for these targets must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>a mask must be in one part, got parts of {} and {} cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>a mask must have at least one cell, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a mask must have at least one cell; {} has in the targets' box, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>a mask must have at least one voxel, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>a mesh format must be one of stl, ply, obj, 3mf, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a mesh must be closed to be filled with voxels: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must be closed to become a solid, got {} holes with {} open edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
+        <source>a mesh must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>a mesh must have at least one vertex to have bounds, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must have at most {} triangles to become a solid, got {}: reduce it (Mesh &gt; Decimation) or give a STEP file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must have triangles, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a mesh must have two triangles at each edge, turned alike, to become a solid; got {} edges of more than two and {} edges of triangles turned unevenly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>a mesh to be voxelised must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/patchwork.py"/>
+        <source>a patchwork needs a closed mesh each of whose edges has two triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a path's tension must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>a pitch must be three lengths above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/presets.py"/>
+        <source>a preset must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a profile to be compared must have slices, {} has none along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a quantity must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
+        <source>a rod must be a valid solid of positive volume, got {} mm3 for rod {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
+        <source>a rod must be a valid solid, got one that is not for rod {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
+        <source>a rod's solid must have its mesh's volume within {}, got {} and {} mm3 for rod {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>a row of {} does not fit into its ranks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>a sample must be numbered 0 to {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
+        <source>a sample must have a surface to fit a texture to, got one that is empty or full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a sample must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a sample must have material and voids: of {} cells are solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels above {} are solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels above {} are solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels are solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a sample must have material and voids: of {} voxels are solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a sample must have material: its sliced areas make, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a sample must have voids: of {} cells its sliced areas fill, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a sample's mesh must be closed; its open area is, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>a sample's mesh must not be inside out; its volume is, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
+        <source>a scan must have more than one grey value to be parted by Otsu's threshold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>a script must have a design, an analysis or voxels to make, got none in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a setting must read name=value, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>a shape must have faces to be written into {}, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>a shape that is cut must have at least one solid, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
+        <source>a sheet of a workbook holds at most {} contours, got {} along {}; thicker layers have fewer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>a site placed by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a site's co-ordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a site's name must read face.i.j, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>a solid from a mesh must have its volume of {} mm3, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>a solid must have a volume greater than 0, got {} mm3: it is empty or inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>a solid must not cross itself; {} pairs of its triangles do, the longest crossing is {} mm at ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>a solid of patches has no closed voids, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>a solid scaffold must have all its channels: the B-Rep engine came to {} of {} rods, then {}; the mesh scaffold stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>a solid's faces must be bounded by seams that do not cross, got {} of {} seams of surfaces that nearly touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a surface must be told by {} points at most, got {} x {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/patchwork.py"/>
+        <source>a surface of a patchwork must meet others, got one that is closed in itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>a tangent component of the pore at {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>a tenth of the void has spheres up to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>a thickness needs a surface, got voxels that are all on one side of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a trimmed face must have no kink inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a trimmed face with a seam or a pole must be bent both ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>a trimmed face with a seam or a pole must not turn away from its middle plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a voxel must have three edges above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>a voxel must not be larger than the sample, {} mm along {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>a voxel's edges must be at least {} mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>a wavelength must be 0 (fitted) or more, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>a {} without one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>alignment must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>all images of a stack must have one size, {} pixels, but {} has {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>all layers must have one thickness, got {} to {} mm in {} layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>all layers must have the voxels asked for, but {} have not: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>alpha and beta must have the same counts in the layers along Z, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>alpha and beta must have the same sum, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>an analysis along X, Y and Z is needed; {} has, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>an axis must be x, y, z or a direction of three numbers such as 0.6,0.8,0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>an edge of a curved face must have its parameters on the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>an edge of the box of middle points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>an envelope file needs faces with sites, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/jobs.py"/>
+        <source>an envelope must be a box or come from a file to be kept in a job, got {}; export it as STEP and name that file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be a closed solid, got an open one of {} faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be a valid solid; the kernel finds: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be one closed solid, got a {} of {} faces and no solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be one closed solid, got a {} of {} faces and no solid (closed: make a solid of it first)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must have a shape, got an empty one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>an envelope must have a shape, got nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <source>an envelope must have a shape, got {} without one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must have a volume greater than 0 mm3, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>an equation must have n &gt;= 0 and k &gt;= 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>an estimate can be made for the mesh or the field engine, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>an expression holds numbers only, got {} in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>an expression must have 1 to {} characters, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>analyses to be compared must have an axis in common, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>analyses to be compared must share at least one layer of {} mm along {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>area of the triangles, those in the box's faces (cuts) left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>areas must be given along X, Y and Z, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>areas must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>axes of a texture must be three unit vectors at right angles, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>being computed</source>
+        <translation>in calcolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
+        <source>best layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>bodies must be of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone volume fraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>bone volume fraction, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>bounds and sum must not be negative, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
+        <source>branches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>branches per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>building the {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/marching.py"/>
+        <source>case {}: no triangulation without chords in faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>casting rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>cavities seen from inside and from outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>cell ({}, {}) is {}, beyond its bound {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>cells of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>chains of trabeculae that go on from slice to slice, each overlapping one of the next and no other, over the distance from the first slice to the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>channels by triangles and by rays, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>choice of the convergence point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>closed cavities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {}; or choose layers that are not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>closed voids are {} of the envelope: many channels have no way out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>co-ordinates must be finite and below 3.4e38 mm for a file, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>co-ordinates of rods must be finite, got nan or infinite mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>co-ordinates of triangles must be finite, got nan or infinite mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>comparison = make.compare_analyses([{}])</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>connectivity density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
+        <source>contacts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
+        <source>contours must have one start more than planes, and as many points as the last start says, got {} starts, {} planes, {} marks, points {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
+        <source>contours must lie in the order of their planes, 0..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
+        <source>counting layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sampled_tables.py"/>
+        <source>counting tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <source>couplings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>cutting triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>d1 and d2 must differ by at least 1 degree on the face, got {} degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>degree of anisotropy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>degree of anisotropy, by triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>densities must be 0 to 1, got {} in layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>designs are counted in boxes, not in, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>designs are searched for exhaustively up to {} cells, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
+        <source>designs must have one shape and solid voxels, got shapes {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>designs with these counts (entropy)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>designs with this design's tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>diameter of the largest sphere in the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>diameter of the largest sphere in the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>dmean area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>document = FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>document = FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/svg_layers.py"/>
+        <source>drawing layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>drawing {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/profiles.py"/>
+        <source>each contour must have one row of measures, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>each face must have at least three corners, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
+        <source>each point of a face must be used by its triangles; a border crosses itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>each variable must have two bounds, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>each vertex must have three co-ordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/designs.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>envelope less rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>error: the computation broke off; the report view says where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>error: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>every axis may be named once, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pieces.py"/>
+        <source>every cavity must lie in a body, but {} of {} lie in none: the mesh is inside out or crosses itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>every face must be named once, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>every face must be named once, got {} again in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
+        <source>every layer must have its count in one part without closed cavities; after {} flips {} layers are off by {} voxels together, layer {} along {} by {}; another seed, fewer restrictions or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
+        <source>every layer must have its count of voxels; {} layers differ: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
+        <source>exact moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>exact slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>exact slices are those of a solid, got a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>exact slices are those of a solid, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>face sites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>failed and left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>field</source>
+        <translation>campo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
+        <source>finding doubles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
+        <source>finding parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>from freecad_trabecula import make</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/python_text.py"/>
+        <source>from {} import {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>half of the void has spheres up to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights must be given with at='heights', and only then, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>heights must rise, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>heights of planes must be finite and rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>images must be of the kind {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>import FreeCAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
+        <source>islands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>it must name a site of face {}, which has {} sites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>it must name a site of one of the faces {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>items must show objects of the model, at most {} deep, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>its face, {} so far, is now Face{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>its standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
+        <source>joining open contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>joining the slabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/neighbours.py"/>
+        <source>joining the triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>junctions per mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>largest balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>largest trabecular area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>largest trabecular separation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>largest trabecular thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>largest value of b less largest of a over the shared layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>layer {} along {} is empty between others: no design is one piece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
+        <source>layer {} along {}: {} for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>layer {} as solids must hold the {} mm3 of its voxels, the kernel gives {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <source>layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>layers as solids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers follow smoothed normals at {} points where a face bends more sharply than {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers inwards must leave a part of the envelope, but {} mm take all of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers inwards that the channels go through are the envelope itself: nothing changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>layers on faces that bend sharply need the package scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>layers {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>leave the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>levelling tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>longest half axis of the fabric ellipsoid, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>longest mean intercept length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/crossings.py"/>
+        <source>looking for triangles that cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>loose pieces are {} of the envelope: the channels cut the scaffold apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>m (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
+        <source>mean intercept length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>mean of b less mean of a over the shared layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>mean over the solid of the largest inscribed sphere's diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>mean over the void inside the box of the largest inscribed sphere's diameter: mean pore size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>mean trabecular area of b less that of a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
+        <source>measuring contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
+        <source>measuring triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/recovery.py"/>
+        <source>mending: {}, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>mesh</source>
+        <translation>mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>mesh {}{} of the {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>mix of sheets and rods must be 0 to 4, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>mm (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>must be a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>must be at least {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>must be finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>must be whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>must lie in {}..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>must not be negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>nine tenths of the void have spheres up to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>no design has these counts: no set of layers contradicts another by itself, but a search of all designs found none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>no error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
+        <source>no field was tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
+        <source>no layer has these {} voxels in columns and {} in rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>no pair of tables was found within the mask in {} tries{}; strategy trabecular, which needs no tables, may find a design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
+        <source>no part with {} voxels was found in the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
+        <source>no point of the face's surface lies near ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>no shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>no solid of patches: {} mm3 against {} of the mesh; then </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>no solid of patches: {}; then </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>no table has these sums: columns {} ask for {}, and the rows can give them {}{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
+        <source>none of {} points tried lies inside the face of {} mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>nothing is left of the envelope: the rods fill it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>number of parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
+        <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
+        <source>offsets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
+        <source>offsetting contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>one part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
+        <source>one part needs voxels in every layer between its first and last; along {} layers {} and {} are asked for {} and {} voxels, and {} between them for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>one solid of {} must be chosen as the envelope: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>only a cut that was made can be undone, got 0 cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>only {} can be called in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>operator {} is not allowed in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>out of date: update it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>outer contours</source>
+        <translation>contorni esterni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
+        <source>outlines of layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>over the solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>over the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>overlaps less trabeculae plus parts of the graph: ways that part and meet again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
+        <source>painting balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>pairing 'repeat' fills boxes only; pairing 'constraint' works within a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>parts less handles plus cavities, of the voxels as a closed body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
+        <source>parts of voxels are counted by scipy: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pieces of solid voxels, 26 neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pieces of void voxels, 6 neighbours, that touch no face of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
+        <source>planes must rise, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>plots must be one of {}, none, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pore diameter, 10 % of the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pore diameter, 50 % of the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>pore diameter, 90 % of the void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>pore layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>pore sizes must be at least {} mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <source>pores and paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>porosity {} % by the {} engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
+        <source>porosity {} %, {} rods cut; solid and mesh differ by {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
+        <source>random layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
+        <source>random tables; each layer drawn nearly uniformly from all that have these row and column sums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/sequential.py"/>
+        <source>random tables; in each layer line after line, into the lines that need most (thesis case 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/minimum_zeros.py"/>
+        <source>random tables; in each layer the shortest line first, into the lines that need most (thesis case 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/best_tables.py"/>
+        <source>random tables; of all layers that they allow the one that is highest on the chosen field (linear program)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>rates of compatible tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>rays need closed meshes: each ray must leave as often as it enters; {} rays do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>rays per direction must be &gt;= 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>reading layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>redraws must lie in 0..100, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>relative L1 distance of the profiles: sum |b - a| / sum |a| over the shared layers; 0 = equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>relative L2 distance of the profiles: sqrt(sum (b - a)^2 / sum a^2) over the shared layers; 0 = equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>resolved (outside any block of 2 x 2 x 2 voxels): </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/packing.py"/>
+        <source>results must be numbers, texts, arrays or records of them, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/packing.py"/>
+        <source>results must be of classes of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>rod {}{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/nodes.py"/>
+        <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>rounds of gap fill must be at least 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>row sums and column sums must agree, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels + loose pieces = envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels + loose pieces = envelope, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels = envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold + channels = envelope, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>scaffold in double and in single precision, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>scatter of the corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/seam_settling.py"/>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>seams of channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>sections per rod must be 1 or 2, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>share of contours that are rods (thesis' rule), b less a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>share of solid voxels: the second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>shortest half axis of the fabric ellipsoid, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>shortest mean intercept length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>site ({}, {}) came to lie outside its face, a line of which crossed the border unnoticed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>sites along {} must be at least 2 (Eq. 2.1 divides by n - 1), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/designs.py"/>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>sites on {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>sliced area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>sliced areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>sliced areas {}, got {} mm² in layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>slicing along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>smallest value of b less smallest of a over the shared layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>solid and mesh of a rod must agree within {} % of its volume, got {} and {} mm^3 for rod {} and {} such rods in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>solid and mesh of the scaffold must agree within {}, got {} and {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
+        <source>solid must be at least {} and void {} voxels thick; of {} solid ones {} and of the void {} stayed thinner; longer waves or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>solid of patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>solid: rod {}{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
+        <source>solids of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>spacing={} unit=mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>specific bone surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>specific bone surface, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>surface of the voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>table {}: {}; {} sums or cells are wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>tables alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>tables beta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>tables within a mask need scipy 1.6 or later: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>taken away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>tangent component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>tangent pull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
+        <source>targets of {} layers do not fit a field of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the B-Rep engine makes no compact layers, got {} faces with a layer: use the mesh engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the PLY file ends too early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>the PLY file must be binary, little-endian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>the PLY file must hold vertices and faces, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>the axis must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>the axis of rays must be 0, 1 or 2, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
+        <source>the best layer of given tables needs scipy 1.6 or later: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>the body could not be measured as a whole: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the body {} ({}, {}) in the active document; it was modelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the border distance {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
+        <source>the border of a face must not cross itself, nor run through a point of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>the cap on {} must be at least {}, got {}: {} ask for {} voxels, and the layers along Z can give them {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the cell must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>the cell size must be above 0 mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>the cells of the field engine are too coarse for these rods: make them smaller, or take the mesh engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the change of a site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pieces.py"/>
+        <source>the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the compensation must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the correction must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the counts along {} must be a list, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the counts along {} must be numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the deflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the deflection must be 0 mm or more, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/envelope_sources.py"/>
+        <source>the density of an envelope must lie between 0 and 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>the direction must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the direction of a law must be three finite numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the direction of a linear law must not be zero, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the direction {} must not be zero, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the envelope is only {} mm large: was its file in metres or inches, not mm?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the envelope is {} mm large: was its file in micrometres, not mm?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/nodes.py"/>
+        <source>the envelope must be at least two cells thick; it measures {} mm, a cell {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>the envelope must enclose a volume above 0, got {} mm3: it is inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the envelope's triangles are the kernel's and may differ between versions of FreeCAD: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <source>the envelope's triangles must turn counter-clockwise seen from outside; its volume is {} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the expression {} cannot be computed: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the expression {} cannot be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>the expression {} must give finite numbers, got {} at ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
+        <source>the face has no normal at ({}) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the faces of an IGES file must bound a closed body; these {} do not, with gaps up to {} mm closed (a STEP file keeps solids)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
+        <source>the faces of the PLY file must be triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/chosen_fields.py"/>
+        <source>the field must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must be readable, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must end in one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must hold a mesh, but {} cannot be read as one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must hold a shape, but {} cannot be read as one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the file of an envelope must hold a shape, got none in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the file {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>the file {} could not be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>the file {}; it is not there now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>the file's extension must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>the folder {} could not be made: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/results.py"/>
+        <source>the folder {} must hold results that were written to the end: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the format of a PLY file must be ascii or binary, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the greatest number of rods of a coupling must be 0 (all) or more, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>the images of {} must be of one kind, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>the job's schema must be {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
+        <source>the kernel could not read a shape of {} characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
+        <source>the kernel could not read a shape of {} characters: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the kernel cuts rod {} wrongly in every way tried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>the kernel made no solid of {} triangles: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/cutting.py"/>
+        <source>the kernel made no triangles of a face at a deflection of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the kernel made no triangles of a solid at a deflection of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>the kernel refused it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/file_sizes.py"/>
+        <source>the kind must be one of npy, nrrd, vti, png, bmp, tiff, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the layers along X, Y and Z must ask for the same total, got {}, {} and {} voxels: X - Z = {}, Y - Z = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>the layers contradict each other; count {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the lean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>the low ends of their boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>the mask must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
+        <source>the mask's layers along {} have {} cells, but the common total is {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the memory budget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the memory budget of {} GB is used up ({} GB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
+        <source>the mesh kernel must hold a closed mesh, got an open one of {} triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
+        <source>the mesh kernel must hold {} vertices and {} triangles, got {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>the mesh must be closed and hold the {} mm3 of its voxels, got {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
+        <source>the mesh was inside out; its triangles have been turned round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>the middles of their boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the model of a 3MF file may have at most {} bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the model of a 3MF file must be proper XML: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the model of a 3MF file must have an item to build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the number of corners of a pore must lie in 3..12, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>the order must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>the origin on face {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>the pixels of {} must have a pitch: none stands in the images, and none was given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>the plane at {} mm along {} could not be cut: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/pores.py"/>
+        <source>the pore at {} takes {} tangent components, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/jobs.py"/>
+        <source>the prism of a job has a corner at the origin and its edges along X, Y, Z: the box's placement must be the identity, got {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the prism's edge along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the range of layers must meet the body, {}..{} mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the ratio from which a contour is a rod must lie in 0..1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
+        <source>the rounds of smoothing must be 0 or more, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the sample's voxels must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>the search for a design gave up after {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>the search for a design needs scipy 1.9 or later: pip install scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the seed must lie in 0..{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the short name of a face must hold no dot, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the side of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
+        <source>the side of a plane must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>the sites {} lost their face {}: {} has Face1..Face{}; choose another face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>the sites {} must be on faces of {}, got none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>the sites {} must be on faces of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the size of the pore at {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>the size of voxels must be &gt; 0, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the solid must be one of Solid1..Solid{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the solid was inside out (volume {} mm3) and has been turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the solid was invalid ({}) and has been mended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>the solver must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
+        <source>the spacing of rows must be &gt; 0, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the spacing {} must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the stations of a rod must lie in 3..33, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/registry.py"/>
+        <source>the strategy must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>the surface must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>the table must have {} rows and {} columns, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels have these sums in columns and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels within the mask have these sums in columns and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <source>the tables are not compatible: no layer {} along Z has these {} voxels in columns and {} in rows; {} of {} layers fail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <source>the task could not be written into {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>the thickness of a layer must be above 0 mm, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>the thickness of a layer must be greater than 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>the thickness of common layers must be &gt; 0, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the time budget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
+        <source>the time budget of {} s is used up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>the total must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/layers.py"/>
+        <source>the triangles of a face must run along each edge at most once each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the triangles of a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
+        <source>the triangles' volume must be the solid's to {} mm3 (deflection times area), got {} against {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>the union of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>the unit must be auto or one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>the unit must be one of auto, {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>the unit must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>the unit of a 3MF file must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>the voxel size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>the wavelength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <source>the window must not wait</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the {} of a box must be greater than 0 mm, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>the {} of {} and {} must leave some volume, got 0 mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>the {}{} fullest columns ask for {}, and the rows can give them {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>their own zeros</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>there may be at most {} heights, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>there may be at most {} planes along an axis; {} mm in layers of {} mm are {} planes, which would take about {} times the minute and 15 GB that {} take; layers of at least {} mm are possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>there may be at most {} voxels, a size of {} mm makes {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>there must be a file or folder of that name, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>there must be at least one axis to slice along, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
+        <source>there must be no contacts by an edge alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
+        <source>there must be no contacts by an edge or a corner alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
+        <source>there must be one row of measures for each contour, got {}, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
+        <source>thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>to {} site {} a point is needed, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>total volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
+        <source>trabeculae</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>trabecular area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabecular number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabecular separation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>trabecular thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
+        <source>triangles between trimmed borders need the Python package scipy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>triangles must have the shape (count, 3, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>triangles must lie within {} mm of a face, got {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>triangles must name vertices 0..{} of their object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
+        <source>triangles of a face must not fold over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>triangles of solids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>triangles of the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>twice the surfaces crossed per length by parallel lines in all directions, over BV/TV.vox: the second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>two independent routes must agree, but they do not: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>um (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
+        <source>union and compensation need the package manifold3d; install it with: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>union of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
+        <source>uniting contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>unknown name {} in {}; known are {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <source>value of b over value of a, less 1; 0 = equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>verification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>vertices of rods must have the shape (rods, vertices, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>volume by the triangles; what overlaps counts twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>volume of the body's box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>volumes by rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>voxel counts {}, got {} in layer {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report.py"/>
+        <source>voxel design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <source>voxels must be a bool array [z, y, x], got {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>voxels must be as large as the layers of the sample, {} mm along {}, got {} mm, which makes {} layers of the sample's {}: slice it again with layers of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>voxels of {} mm would resolve them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/strategies/by_field.py"/>
+        <source>voxels where the chosen field is highest, as nearly as the counts of the layers allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>watertight {}: faulty edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
+        <source>wavelengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>wavelengths must be three lengths above 2 voxels, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/packing.py"/>
+        <source>what a document holds must be a value of this version: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>what is sliced must be a mesh or have a solid, got {} without</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>what is sliced must have triangles, got none in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/guides.py"/>
+        <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
+        <source>what meets what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
+        <source>width of a texture must be 0.02 to 1, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/assembly.py"/>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>within the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>within the mask layer {} along {} holds {} voxels, but is asked for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>writing layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>writing the tables of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
+        <source>writing the workbook's sheet {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>{} % of it lie </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>{} (the file's)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{} (the zero vector)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{} = make.body_objects({})[{}]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>{} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>{} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} and {} layers of {} and {} voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} apart (at most {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>{} ask for {} voxels together, but the layers along {} leave them at most {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
+        <source>{} ask for {} voxels together, each voxel counted in every such layer it lies in; {} voxels give them at most {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} below {} mm3 left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} changes by hand do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} changes by hand do not fit the design: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>{} could not be computed: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} could not be read as CSV: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} could not be read as JSON: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} could not be read as XLSX: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} could not be read: there is no such file or folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} could not be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_source.py"/>
+        <source>{} could not be written into {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>{} could not be written whole: is the disk full?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <source>{} could not be written: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{} engine, {} rods, {} triangles, {} pairs that come near: about {} s and {} GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>{} faces were sewn to a solid, gaps up to {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} has no key {}; known are {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>{} have {} cells for them, and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <source>{} is incomplete: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} is no folder of an analysis: {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{} is no proper {} file: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} is not a whole analysis: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>{} is not allowed in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
+        <source>{} layers of {} voxels cannot hold {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>{} mm, {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} mm3 together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must be JSON: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{} must be UTF-8 text: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>{} must be a closed mesh of finite co-ordinates, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>{} must be a closed mesh, each edge in two triangles that run along it opposite ways; it has {} triangles, {} open edges, {} edges of more than two triangles, {} edges run unevenly, {} triangles with a vertex named twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>{} must be a finite number, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} must be a flat image, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <source>{} must be a list of numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <source>{} must be a list of numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be a list, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be a number a computer can hold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must be a whole NPY file of numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} must be an image that can be read: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be an object with keys, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>{} must be at least 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be at least {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} must be computed anew: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be finite, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>{} must be finite, or nan for the body's own, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>{} must be linked to 1 face, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>{} must be linked to a box, got nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <source>{} must be linked to a box, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <source>{} must be linked to a scaffold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>{} must be linked to a wireframe, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be one number or three, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must be the report of a {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} must be up to date for its contours, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_files.py"/>
+        <source>{} must be up to date to be saved, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must be up to date to be written: update it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{} must be without error to be written as a script, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must be without error to be written, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must be {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must begin with NRRD000, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must give the sizes of its voxels (spacings or space directions)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must have a column {}; it has, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must have a line of names and one for each layer, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must have a mesh or a shape to be written, got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} must have a sample, a source or a file, got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} must have a source or a file to be sliced, got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>{} must have at least one rod, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>{} must have at least one solid, got a {} without one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/sections.py"/>
+        <source>{} must have at least one solid, got no shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>{} must have at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} must have been computed, got: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must have the layers 0, 1, ... along {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must have the schema {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{} must have the sheets alpha and beta; it has, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>{} must have triangles counter-clockwise seen from outside, got a volume of {} mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/exports.py"/>
+        <source>{} must have triangles to be written, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/records.py"/>
+        <source>{} must have {} values, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must hold an array of three axes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
+        <source>{} must hold at least one layer, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{} must hold at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must hold finite numbers, got {} that are not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>{} must hold images ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{} must hold numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{} must hold {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{} must hold, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
+        <source>{} must lie in 0..{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>{} must lie in {}..{}, got {}</source>
+        <translation>{} deve stare in {}..{}, invece è {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
+        <source>{} must lie on it to {} mm, got a distance of {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>{} must name a field of the job; known here are {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>{} must number one of {} entries, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>{} needs brackets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>{} of a mesh must have the shape (count, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>{} of the body and the voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} of the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>{} of {} and {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} pairs of pores overlap on face {}: pores must be smaller than their spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{} pairs that come near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/design.py"/>
+        <source>{} pores reach over the border of face {}: half their size must not exceed the distance from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>{} rods</source>
+        <translation>{} aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/network.py"/>
+        <source>{} rods, {} mm^3 with overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <source>{} sites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} slices, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>{} slices, {} of them spoilt, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{} that no opening reaches, {} mm3 together: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/meshes.py"/>
+        <source>{} vertices still share their point in single precision after {} nudges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} voxels in one part, exact along X, Y and Z, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>{} voxels in {} parts, exact along X, Y and Z, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/migrations.py"/>
+        <source>{} was made by a later version of Trabecula: its schema must be at most {}, got {}; update Trabecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>{} x {} x {} layers, {} cells: about {} GB of memory and {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>{} {} ask for {} voxels together, but </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
+        <source>{} {} ask for {} voxels together, but the other layers along {} are asked for {} in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{} {} must be one JSON object, got {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
+        <source>{} {} sums to {}, asked for {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>{} {} times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{}, cut off all round, {} mm3 together, the largest {} mm3: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>{}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>{}, got {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}, line 1: the columns must be {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}, line {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}, line {}: a layer must stand there once, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}, line {}: it must hold {} numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}, line {}: the axis must be x, y or z, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{}.Deflection = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>{}.Label = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{}: a mesh file must end in .stl, .obj, .ply or .3mf, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>{}: a polyline must end with C or O; that of line {}{} is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{}: a table must have sums and cells, got rows, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: a voxel must have three edges above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{}: all rows must have the same length, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: an ASCII STL file must end with 'endsolid'; this one is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
+        <source>{}: an SSL file must begin with 'Slice V0' and 'SLICES()'; this one holds neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: an STL file must hold at least one triangle, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: axes.{} does not fit its profile of {} slices: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{}: co-ordinates must be finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
+        <source>{}: co-ordinates must be finite and at most {} mm, got {}..{} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: co-ordinates must be finite; triangle {}{} of {} has {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: co-ordinates must be numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: direction in which a linear law grows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: each facet must have three vertices, got {} vertices in {} facets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
+        <source>{}: every sum and cell must be a whole number, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: how it varies over the design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}: it must be a number, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>{}: its values must be lists of numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: layers must be those of the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: morphometry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
+        <source>{}: parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: sizes must be three numbers above 0, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: sizes must be whole numbers, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: spacings, directions and origin must be numbers: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}: the column {} must hold whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: the constant value, or the least; linear, radial: at the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
+        <source>{}: the counts weigh {}, no design above {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the data must stand in the file itself, not in a data file of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the encoding must be raw or gzip, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: the file became shorter while it was read, at triangle {}{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/base.py"/>
+        <source>{}: the greatest value; linear, radial: at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the header must end with an empty line; the file is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
+        <source>{}: the layers must be counted 0, 1, 2, ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the packed data are damaged or cut off: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/stl.py"/>
+        <source>{}: the size of a binary STL file must be 84 + 50 bytes for each triangle; its header says {} triangles, {} bytes hold {} and {} bytes more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: the type must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
+        <source>{}: triangles must name vertices 0..{}, got {}..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <source>{}: {} against {}, {} apart (at most {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} is resampled by area from layers of {} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} layers of {} mm, {} to {} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} reaches {} mm below and {} mm above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <source>{}: {} to {} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
+        <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; the exact mesh engine needs manifold3d: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; the exact mesh engine would take about {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>  area</source>
+        <translation>  area</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>  at</source>
+        <translation>  a</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>  size</source>
+        <translation>  dimensione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>, about {} left</source>
+        <translation>, ancora circa {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>, layers on {} faces</source>
+        <translation>, strati su {} facce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>, porosity {:.2f} %</source>
+        <translation>, porosità {:.2f} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <source>, {} left</source>
+        <translation>, ancora {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>1 section</source>
+        <translation>1 sezione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>2 sections</source>
+        <translation>2 sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>30 to 75 s a rod, by curvature and sections (thesis 2.3.3)</source>
+        <translation>da 30 a 75 s per asta, secondo curvatura e sezioni (tesi 2.3.3)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>A further direction: as if the part were turned</source>
+        <translation>Un'altra direzione: come se il pezzo fosse ruotato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>A mesh, an analysis' CSV, targets or voxels from a file</source>
+        <translation>Mesh, CSV di un'analisi, obiettivi o voxel da un file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>A package is missing</source>
+        <translation>Manca un pacchetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Add a convergence point</source>
+        <translation>Aggiungere un punto di convergenza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Add a coupling</source>
+        <translation>Aggiungere un accoppiamento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Analyse</source>
+        <translation>Analizza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Analyse a mesh, a solid or a design to see its slices</source>
+        <translation>Analizzare una mesh, un solido o un progetto per vederne le fette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>Areas</source>
+        <translation>Aree</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>As</source>
+        <translation>Come</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Attempts</source>
+        <translation>Tentativi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Available</source>
+        <translation>Disponibili</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
+        <translation>I blocchi conservano esattamente volume e aree; liscia conserva il volume</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Body</source>
+        <translation>Corpo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Body to be sliced</source>
+        <translation>Corpo da affettare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Body within which voxels may lie</source>
+        <translation>Corpo entro il quale possono stare i voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/prism_section.py"/>
+        <source>Border</source>
+        <translation>Bordo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Border u, v</source>
+        <translation>Bordo u, v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Box</source>
+        <translation>Riquadro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>Build</source>
+        <translation>Costruisci</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Cell</source>
+        <translation>Cella</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Cells at its border</source>
+        <translation>Celle sul bordo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/edits_list.py"/>
+        <source>Changes by hand</source>
+        <translation>Modifiche a mano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Channels</source>
+        <translation>Canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>Checking the envelope …</source>
+        <translation>Controllo dell'involucro …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Checks</source>
+        <translation>Controlli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Choice</source>
+        <translation>Scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Choose a body or a file</source>
+        <translation>Scegliere un corpo o un file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Click a rod in the 3D view</source>
+        <translation>Cliccare un'asta nella vista 3D</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Click faces in the 3D view; a second click takes one away</source>
+        <translation>Cliccare le facce nella vista 3D; un secondo clic ne toglie una</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/task_panels.py"/>
+        <source>Close the open task panel first</source>
+        <translation>Chiudere prima il pannello aperto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Closes channels</source>
+        <translation>Chiude i canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Co-ordinates of the planes, mm, for planes at heights</source>
+        <translation>Coordinate dei piani in mm, per piani a quote date</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>Colour</source>
+        <translation>Colore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Compact layers</source>
+        <translation>Strati compatti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Compensation</source>
+        <translation>Compensazione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Component of the unit tangent, 0 to 1</source>
+        <translation>Componente della tangente unitaria, da 0 a 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Connected channels</source>
+        <translation>Canali connessi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Connected pieces of the scaffold</source>
+        <translation>Parti connesse dello scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Constant value, or least; at the start</source>
+        <translation>Valore costante, o minimo; all'inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Contacts avoided</source>
+        <translation>Contatti evitati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Contours</source>
+        <translation>Contorni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Convergence point</source>
+        <translation>Punto di convergenza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Convergence points: {}</source>
+        <translation>Punti di convergenza: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Convergence: centre of the envelope</source>
+        <translation>Convergenza: centro dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Corners</source>
+        <translation>Vertici</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Couple the opposite faces of the prism</source>
+        <translation>Accoppiare le facce opposte del prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Couplings</source>
+        <translation>Accoppiamenti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Deflection</source>
+        <translation>Scostamento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>Design rods</source>
+        <translation>Progetta aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>Design voxels of a body or an analysis to see their layers</source>
+        <translation>Progettare voxel da un corpo o da un'analisi per vederne gli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Difference</source>
+        <translation>Differenza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Direction in which the value grows</source>
+        <translation>Direzione in cui il valore cresce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Direction u</source>
+        <translation>Direzione u</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Direction v</source>
+        <translation>Direzione v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Earlier: its faces' sites are taken first</source>
+        <translation>Prima: i siti delle sue facce sono presi per primi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/prism_section.py"/>
+        <source>Edge</source>
+        <translation>Lato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Edit site and pore</source>
+        <translation>Modifica sito e poro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Engine</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Envelope</source>
+        <translation>Involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Envelope and surface</source>
+        <translation>Involucro e superficie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Export</source>
+        <translation>Esporta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Export …</source>
+        <translation>Esporta …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Face</source>
+        <translation>Faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Face at which the rods start</source>
+        <translation>Faccia dalla quale partono le aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Face at which they end</source>
+        <translation>Faccia alla quale terminano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Faces</source>
+        <translation>Facce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Fault</source>
+        <translation>Difetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Field</source>
+        <translation>Campo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Figures</source>
+        <translation>Dati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Filter open, closed</source>
+        <translation>Filtro aperti, chiusi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>First layer along Z</source>
+        <translation>Primo strato lungo Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>First site</source>
+        <translation>Primo sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>First tension</source>
+        <translation>Tensione inizio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
+        <source>Folder for tables, report and plots</source>
+        <translation>Cartella per tabelle, relazione e grafici</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>Folder for the images' folder</source>
+        <translation>Cartella in cui creare quella delle immagini</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Formula of x, y, z (mm) and a random u in 0..1</source>
+        <translation>Formula di x, y, z (mm) e di un u casuale in 0..1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>From</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Gap fill</source>
+        <translation>Chiusura lacune</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Give all faces the spacings and borders of the chosen one</source>
+        <translation>Dare a tutte le facce passi e bordi di quella scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/law_field.py"/>
+        <source>Greatest value; at the end</source>
+        <translation>Valore massimo; alla fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Heat map</source>
+        <translation>Mappa di densità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>How sites are set</source>
+        <translation>Come si dispongono i siti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>Install {}</source>
+        <translation>Installa {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Keep loose pieces</source>
+        <translation>Tieni pezzi staccati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>Last layer</source>
+        <translation>Ultimo strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Later</source>
+        <translation>Dopo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>Layer shapes</source>
+        <translation>Forme degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Layout</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Lean</source>
+        <translation>Inclinazione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Least thickness</source>
+        <translation>Spessore minimo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Least void</source>
+        <translation>Vuoto minimo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Left</source>
+        <translation>Rimasti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Length</source>
+        <translation>Lunghezza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Lines solved</source>
+        <translation>Linee risolte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Loose pieces</source>
+        <translation>Pezzi staccati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Mean bone fraction, %</source>
+        <translation>Frazione ossea media, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Measures</source>
+        <translation>Misure</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Memory budget</source>
+        <translation>Limite di memoria</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Mended</source>
+        <translation>Riparata</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Mending</source>
+        <translation>Riparazione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Meshes</source>
+        <translation>Mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Most in a line (x, z)</source>
+        <translation>Massimo per linea (x, z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Most in a line (y, z)</source>
+        <translation>Massimo per linea (y, z)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Most rods</source>
+        <translation>Aste al più</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Move site</source>
+        <translation>Sposta sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>No preview</source>
+        <translation>Nessuna anteprima</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>No rod is left out</source>
+        <translation>Nessuna asta è esclusa</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>No rod leaves the envelope</source>
+        <translation>Nessuna asta esce dall'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>Not now: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Numbers</source>
+        <translation>Numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Off: three edges along X, Y, Z</source>
+        <translation>No: tre lati lungo X, Y, Z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>One image a layer along Z, in a new folder</source>
+        <translation>Un'immagine per strato lungo Z, in una nuova cartella</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>One number reproduces all draws</source>
+        <translation>Un solo numero riproduce tutte le estrazioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Only from, to</source>
+        <translation>Solo da, a</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Open job</source>
+        <translation>Apri lavoro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Opposite faces</source>
+        <translation>Facce opposte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Outer contours</source>
+        <translation>Contorni esterni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Outside</source>
+        <translation>Fuori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Overlaps</source>
+        <translation>Sovrapposizioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>Pairs</source>
+        <translation>Coppie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Pairs of tables</source>
+        <translation>Coppie di tabelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Passport</source>
+        <translation>Passaporto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Path</source>
+        <translation>Percorso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Path: {}</source>
+        <translation>Percorso: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Paths</source>
+        <translation>Percorsi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Paths from {} to {}</source>
+        <translation>Percorsi da {} a {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Paths of its own</source>
+        <translation>Percorsi propri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Paths of this coupling alone</source>
+        <translation>Percorsi di questo solo accoppiamento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/picking.py"/>
+        <source>Pick a face of {}</source>
+        <translation>Indicare una faccia di {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Pick a site</source>
+        <translation>Indicare un sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Pick faces</source>
+        <translation>Scegli facce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Pick the origin on the chosen face</source>
+        <translation>Indicare l'origine sulla faccia scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Place</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Place of the site</source>
+        <translation>Posizione del sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Plain sum of the rods</source>
+        <translation>Somma semplice delle aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Planes</source>
+        <translation>Piani</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Plates</source>
+        <translation>Piastre</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Pore sizes</source>
+        <translation>Dimensioni dei pori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Pores</source>
+        <translation>Pori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Porosity</source>
+        <translation>Porosità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Porosity in</source>
+        <translation>Porosità in</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Porosity of the scaffold (Eq. 2.2)</source>
+        <translation>Porosità dello scaffold (Eq. 2.2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Porosity, %</source>
+        <translation>Porosità, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Preset</source>
+        <translation>Modello</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>Preview …</source>
+        <translation>Anteprima …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>Profiles have no picture</source>
+        <translation>I profili non hanno immagine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Pull</source>
+        <translation>Tiro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Quantity</source>
+        <translation>Grandezza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Range and heights</source>
+        <translation>Intervallo e quote</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>Reading the envelope …</source>
+        <translation>Lettura dell'involucro …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Recoveries</source>
+        <translation>Recuperi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Redraws</source>
+        <translation>Ripetizioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Remedy</source>
+        <translation>Rimedio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Remove the chosen coupling</source>
+        <translation>Rimuovere l'accoppiamento scelto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Remove this point</source>
+        <translation>Rimuovere questo punto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Results</source>
+        <translation>Risultati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>Reuse sites</source>
+        <translation>Riusa i siti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Rod</source>
+        <translation>Asta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Rods</source>
+        <translation>Aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Rods as solids and as meshes, mm³</source>
+        <translation>Aste come solidi e come mesh, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Rods by hand (thesis' estimate)</source>
+        <translation>Aste a mano (stima della tesi)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Rods from</source>
+        <translation>Aste da</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Rods or channels</source>
+        <translation>Aste o canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Rounds</source>
+        <translation>Passate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Rows of tables</source>
+        <translation>Righe delle tabelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <source>STEP scaffold</source>
+        <translation>Scaffold STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: porosity</source>
+        <translation>Scaffold STEP: porosità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: rods cut</source>
+        <translation>Scaffold STEP: aste tagliate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: time</source>
+        <translation>Scaffold STEP: tempo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>STEP scaffold: volume</source>
+        <translation>Scaffold STEP: volume</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Sample</source>
+        <translation>Campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Sample of a voxel design</source>
+        <translation>Campione di un progetto a voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Samples</source>
+        <translation>Campioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Save job</source>
+        <translation>Salva lavoro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Save …</source>
+        <translation>Salva …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/design_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Scaffold</source>
+        <translation>Scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Scaffold as solid and as mesh, mm³</source>
+        <translation>Scaffold come solido e come mesh, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>Scaffold: {} engine, about {}, {}</source>
+        <translation>Scaffold: metodo {}, circa {}, {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Scatter</source>
+        <translation>Dispersione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>Second site</source>
+        <translation>Secondo sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/paths_section.py"/>
+        <source>Second tension</source>
+        <translation>Tensione fine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <source>Sections</source>
+        <translation>Sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Seed</source>
+        <translation>Seme</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Select a wireframe or its sites first</source>
+        <translation>Selezionare prima un reticolo o i suoi siti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Set pore</source>
+        <translation>Imposta poro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Sheets 0 … rods 1</source>
+        <translation>Lamine 0 … aste 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Side</source>
+        <translation>Lato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Site</source>
+        <translation>Sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Site; or click one in the 3D view</source>
+        <translation>Sito; o cliccarne uno nella vista 3D</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/prism_section.py"/>
+        <source>Sites</source>
+        <translation>Siti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>Sites on</source>
+        <translation>Siti su</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Size</source>
+        <translation>Dimensione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Size of the end sections, mm</source>
+        <translation>Dimensione delle sezioni di estremità, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>Size of the file</source>
+        <translation>Dimensione del file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Size of the pore</source>
+        <translation>Dimensione del poro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Slice an STL, OBJ, PLY or 3MF file</source>
+        <translation>Affettare un file STL, OBJ, PLY o 3MF</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Slice analysis</source>
+        <translation>Analisi per fette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Sliced area</source>
+        <translation>Area delle fette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Sliced area, mm²</source>
+        <translation>Area delle fette, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Slices</source>
+        <translation>Fette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>Slices: {}</source>
+        <translation>Fette: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Smoothing</source>
+        <translation>Lisciatura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Spacing u, v</source>
+        <translation>Passo u, v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Spoilt slices</source>
+        <translation>Fette guaste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Start from this design of the thesis. Select nothing: it brings its own body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Stations</source>
+        <translation>Stazioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Strategy</source>
+        <translation>Strategia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Strategy's own choices</source>
+        <translation>Opzioni della strategia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Sum of the rods, mm³</source>
+        <translation>Somma delle aste, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Switch site off</source>
+        <translation>Disattiva sito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
+        <source>Tables, report and plots are in {}</source>
+        <translation>Tabelle, relazione e grafici sono in {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>Tables, report and plots of what is ticked, in a folder</source>
+        <translation>Tabelle, relazione e grafici di ciò che è spuntato, in una cartella</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/edits_list.py"/>
+        <source>Take the chosen change back</source>
+        <translation>Annullare la modifica scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>Take the chosen face away</source>
+        <translation>Togliere la faccia scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/pores_section.py"/>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Tangents</source>
+        <translation>Tangenti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Targets</source>
+        <translation>Obiettivi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>Tb.Th, Tb.Sp, Conn.D, DA … on voxels (slow)</source>
+        <translation>Tb.Th, Tb.Sp, Conn.D, DA … su voxel (lento)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>The body to be filled</source>
+        <translation>Il corpo da riempire</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>The contours are being worked out …</source>
+        <translation>Calcolo dei contorni in corso …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>The next seed: other draws, other pairs</source>
+        <translation>Il seme successivo: altre estrazioni, altre coppie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>The sample is being worked out …</source>
+        <translation>Calcolo del campione in corso …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>The thesis' designs, to start from</source>
+        <translation>I progetti della tesi, da cui partire</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Thickness</source>
+        <translation>Spessore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>This body is out of date: build it again first</source>
+        <translation>Questo corpo non è aggiornato: ricostruirlo prima</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Tick the faces that get a compact layer</source>
+        <translation>Spuntare le facce che ricevono uno strato compatto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>Time budget</source>
+        <translation>Limite di tempo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Time for a rod</source>
+        <translation>Tempo per asta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>To all</source>
+        <translation>A tutte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>To one total by</source>
+        <translation>Stesso totale per</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>To whose slices the porosity refers</source>
+        <translation>Alle cui fette si riferisce la porosità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Total of</source>
+        <translation>Totale di</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/transactions.py"/>
+        <source>Trabecula</source>
+        <translation>Trabecula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Trabecula job</source>
+        <translation>Lavoro di Trabecula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>Trabeculae</source>
+        <translation>Trabecole</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Trabeculae counted</source>
+        <translation>Trabecole contate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Trabecular area, mm²</source>
+        <translation>Area trabecolare, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Tries</source>
+        <translation>Tentativi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Union of the rods in the envelope</source>
+        <translation>Unione delle aste nell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>Voids that no opening reaches</source>
+        <translation>Vuoti senza apertura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Volume by slices, mm³</source>
+        <translation>Volume dalle fette, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>Voxel design</source>
+        <translation>Progetto a voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>Voxel layers</source>
+        <translation>Strati di voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Voxel size</source>
+        <translation>Lato dei voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Voxels within</source>
+        <translation>Voxel entro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Wavelengths</source>
+        <translation>Lunghezze d'onda</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>What the rods' colours mean</source>
+        <translation>Che cosa indicano i colori delle aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>Whole</source>
+        <translation>Totale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>along {}</source>
+        <translation>lungo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>an analysis is on its way already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>area of outer contours, mm²</source>
+        <translation>area dei contorni esterni, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>area of outer contours, mm² (light: many)</source>
+        <translation>area dei contorni esterni, mm² (chiaro: molti)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>area, mm²</source>
+        <translation>area, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>as the design</source>
+        <translation>come il progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>asked for</source>
+        <translation>richiesti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <source>being computed</source>
+        <translation>in calcolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>box of the body</source>
+        <translation>parallelepipedo del corpo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>box of the sample</source>
+        <translation>parallelepipedo del campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>build a scaffold first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>build a scaffold or a network first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>case </source>
+        <translation>caso </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>choose a design …</source>
+        <translation>scegliere un progetto …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>close the open task panel first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>co-ordinate along {}, mm</source>
+        <translation>coordinata lungo {}, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>contours (as the thesis)</source>
+        <translation>contorni (come nella tesi)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>craniofacial implant</source>
+        <translation>impianto craniofacciale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>cube</source>
+        <translation>cubo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>deflection {}, {} stations</source>
+        <translation>scostamento {}, {} stazioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>design</source>
+        <translation>progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>design: {} made, {} asked for</source>
+        <translation>progetto: {} fatti, {} richiesti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>direction: 0.6,0.8,0</source>
+        <translation>direzione: 0.6,0.8,0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>faulty rods are being mended …</source>
+        <translation>riparazione delle aste difettose …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>heights: 0.5 1.0 2.5</source>
+        <translation>quote: 0.5 1.0 2.5</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>humerus implant</source>
+        <translation>impianto omerale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/language.py"/>
+        <source>language code</source>
+        <translation>it</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
+        <source>layer </source>
+        <translation>strato </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
+        <source>leaves the envelope</source>
+        <translation>esce dall'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
+        <source>new prism</source>
+        <translation>nuovo prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>no document is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>no face picked</source>
+        <translation>nessuna faccia scelta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>nothing has been designed or analysed yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>number of trabeculae</source>
+        <translation>numero di trabecole</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>outer contours</source>
+        <translation>contorni esterni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>outlines as wires</source>
+        <translation>contorni come fili</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>pip could not install {}; it says why below.</source>
+        <translation>pip non ha potuto installare {}; il motivo è qui sotto.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>plates ({})</source>
+        <translation>piastre ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>porosity …</source>
+        <translation>porosità …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>porosity ≈ {} %</source>
+        <translation>porosità ≈ {} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>porosity, %</source>
+        <translation>porosità, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>prism</source>
+        <translation>prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>rods ({})</source>
+        <translation>aste ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sample</source>
+        <translation>campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sample: asks for {} voxels</source>
+        <translation>campione: chiede {} voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sample: {} asked for, {} by centres</source>
+        <translation>campione: {} richiesti, {} per centri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>select a network, a scaffold, a mesh or a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>select a solid, or faces of one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>slice </source>
+        <translation>fetta </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>sliced area less that of {}, mm²</source>
+        <translation>area della fetta meno quella di {}, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>sliced area, mm²</source>
+        <translation>area della fetta, mm²</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>solids</source>
+        <translation>solidi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>spoilt</source>
+        <translation>guaste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>starting</source>
+        <translation>avvio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>sum of the rods {:.1f} %</source>
+        <translation>somma delle aste {:.1f} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>there is no analysis yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>there is no design of rods yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/command.py"/>
+        <source>there is no voxel design yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>there is only one analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>voids ({})</source>
+        <translation>vuoti ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
+        <source>voxels in the layer</source>
+        <translation>voxel nello strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{:.1f} h</source>
+        <translation>{:.1f} h</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{:.3f} against {:.3f}, at most {:.3g} % apart (allowed: {:g} %)</source>
+        <translation>{:.3f} contro {:.3f}, distanti al più {:.3g} % (ammesso: {:g} %)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{} ({:.3g} mm³)</source>
+        <translation>{} ({:.3g} mm³)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>{} ({} rods{})</source>
+        <translation>{} ({} aste{})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>{} = {:.3f} mm, {} contours</source>
+        <translation>{} = {:.3f} mm, {} contorni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/panels.py"/>
+        <source>{} belongs to no design yet</source>
+        <translation>{} non appartiene ancora a un progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>{} corners: about {}, {} of memory, {} as STEP</source>
+        <translation>{} vertici: circa {}, {} di memoria, {} come STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
+        <source>{} engine</source>
+        <translation>metodo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>{} from the low end, mm</source>
+        <translation>{} dall'estremo inferiore, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>{} is installed.</source>
+        <translation>{} è installato.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{} is up to date and without error</source>
+        <translation>{} è aggiornato e senza errori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} leave the envelope</source>
+        <translation>{} escono dall'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} left out</source>
+        <translation>{} escluse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>{} lines that make {} again are on the clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} mended</source>
+        <translation>{} riparate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <source>{} mm², porosity {} %</source>
+        <translation>{} mm², porosità {} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <source>{} of {} hold</source>
+        <translation>{} su {} verificati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>{} rods</source>
+        <translation>{} aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>{} was written</source>
+        <translation>{} è stato scritto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>{} was written: {}</source>
+        <translation>{} è stato scritto: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/faces_section.py"/>
+        <source>{}, c = {} mm</source>
+        <translation>{}, c = {} mm</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_AnalyseNow</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Analyse at once</source>
+        <translation>Analizza subito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Analysis</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice analysis</source>
+        <translation>Analisi per fette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Compare</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Compare analyses</source>
+        <translation>Confronta analisi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Show two or more analyses on shared axes, and how near they are. Select them, or none for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_CopyScript</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Copy as script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Copy the Python that makes it again. Select a design or an analysis, or nothing for all of the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Design</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Design a network of rods. Select a solid, or a design to change; with nothing selected a prism is filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Design rods</source>
+        <translation>Progetta aste</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_EditSite</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Change, move or switch off one site or its pore. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Edit site and pore</source>
+        <translation>Modifica sito e poro</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Export</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Export</source>
+        <translation>Esporta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Write scaffold, channels or rods as STL, STEP, BREP, OBJ, PLY, 3MF, sizes first. Needs a scaffold or a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_FaceSites</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Lay sites on faces. Select a solid, whose faces you pick next, or faces of one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Sites on faces</source>
+        <translation>Siti sulle facce</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_LayerShapes</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Layer shapes</source>
+        <translation>Forme degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Network</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Build network</source>
+        <translation>Costruisci rete</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Build the rods as solids (STEP); no Boolean is needed. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_OpenJob</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Open a job file: all that a design needs. Select nothing: it names its own body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Open job</source>
+        <translation>Apri lavoro</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Plots</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slices and plots</source>
+        <translation>Fette e grafici</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Presets</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Designs of the thesis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Start from a design of the thesis. Select nothing: it brings its own body</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Results</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Porosity, volumes, counts, recoveries, pore sizes, checks. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Results</source>
+        <translation>Risultati</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_RodInfo</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Rod at a click</source>
+        <translation>Asta al clic</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Show or hide what is known of a rod. Select one in the 3D view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_SaveJob</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Save job</source>
+        <translation>Salva lavoro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Save the design as a job file, which the command line runs too. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Scaffold</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Build scaffold</source>
+        <translation>Costruisci scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Cut the channels out of the envelope: scaffold, channels, porosity. Needs a design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Switch</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Rods or channels</source>
+        <translation>Aste o canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>Show rods or channels: two views of one wireframe. Needs a scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_VoxelExport</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Export voxels</source>
+        <translation>Esporta voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Write mesh, voxels or images of layers; sizes are shown first. Needs a voxel design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_VoxelLayers</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Show or hide the layers of sample and design with their counts. Select a voxel design, or nothing for the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Voxel layers</source>
+        <translation>Strati di voxel</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Voxels</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Design voxels</source>
+        <translation>Progetta voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Trabecula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>S&amp;tudy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The window in German: texts, choices, refusals, decimal commas; documents, files and macros as in every language."""
+
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+from window import WindowTest, type_into
+from words import choices_of, label_texts, menu_texts
+
+from freecad_trabecula import make
+from freecad_trabecula.core.laws import KINDS, Law
+from freecad_trabecula.core.parameters import PoreParameters
+from freecad_trabecula.core.presets import preset
+from freecad_trabecula.errors import ParameterError
+from freecad_trabecula.gui import language, panels, transactions
+from freecad_trabecula.gui.fields import NumberField, field_for
+from freecad_trabecula.gui.law_field import LawField
+from freecad_trabecula.gui.outcome import Estimate, porosity_text
+
+#: Read by tests/run.py, which writes it into FreeCAD's settings.
+LANGUAGE = "German"
+
+
+def nothing(*_):
+    """Do nothing."""
+
+
+class TextTest(WindowTest):
+    def test_freecad_and_its_numbers_are_german(self):
+        self.assertEqual(FreeCADGui.getLocale(), "German")
+        self.assertEqual(language.decimal_point(), ",")
+
+    def test_commands_have_german_texts_and_tooltips(self):
+        self.assertIn("Stäbe entwerfen", menu_texts())
+        self.assertIn("Voxel entwerfen", menu_texts())
+        tips = [action.toolTip() for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)]
+        self.assertTrue(any("Die Kanäle aus dem Hüllkörper schneiden" in tip for tip in tips))
+
+    def test_words_that_a_module_translates_when_it_is_imported_are_german(self):
+        from freecad_trabecula.gui import analysis_plots, voxel_form
+
+        self.assertIn(("sliced_area", "Schnittfläche"), analysis_plots.KINDS)
+        self.assertIn(("seed", "Startwert", 1), voxel_form._SEED)
+
+    def test_the_design_panel_is_german(self):
+        panel = self.open_preset("case1")
+        texts = label_texts(panel.form)
+        for words in ("Hüllkörper", "Startwert", "Stellen auf", "Kopplungen"):
+            self.assertTrue(any(words in text for text in texts), words)
+        self.assertIn("Eine Zahl", panel.fields.seed.widget.toolTip())
+        self.assertIn("Stäbe", panel.outcome.headline.text())
+
+    def test_the_panels_of_analyses_and_voxels_are_german(self):
+        self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        panels.open_voxels(self.document)
+        texts = label_texts(panels.current().form)
+        for words in ("Probe", "Voxelgröße", "Strategie"):
+            self.assertIn(words, texts)
+        self.assertIn("trabekulär", choices_of(panels.current().fields.strategy))
+        panels.current().reject()
+        panels.open_analysis(self.document)
+        texts = label_texts(panels.current().form)
+        for words in ("Körper", "Achsen", "Dicke"):
+            self.assertIn(words, texts)
+
+
+class ChoiceTest(unittest.TestCase):
+    def test_choices_are_shown_in_german_and_kept_as_they_are(self):
+        field = field_for(PoreParameters, "layout", nothing)
+        self.assertEqual(choices_of(field.widget), ["Kreis", "Spline"])
+        field.set_value("circle")
+        self.assertEqual((field.widget.currentText(), field.value()), ("Kreis", "circle"))
+
+    def test_every_kind_of_law_comes_back(self):
+        for kind in KINDS:
+            law = Law(kind, 0.25, 0.25 if kind == "constant" else 0.75, (0.0, 0.5, 1.0), "0.2 + 0.05 * z")
+            field = LawField("mm", 0.05, nothing)
+            field.set_value(law)
+            self.assertEqual(field.value(), law)
+
+
+class NumberTest(unittest.TestCase):
+    def test_lengths_and_pure_numbers_are_shown_and_typed_with_a_comma(self):
+        for unit in ("mm", ""):
+            field = NumberField(unit, 0.1, nothing)
+            field.set_value(1.5)
+            self.assertIn("1,5", field.widget.text())
+            type_into(field.widget, "0,75")
+            self.assertAlmostEqual(field.value(), 0.75, places=12)
+
+    def test_labels_have_commas(self):
+        self.assertEqual(language.local_number(0.5), "0,5")
+        self.assertEqual(language.filled("{:.2f} {}", 0.125, 3), "0,12 3")
+        self.assertEqual(language.place_text((0.5, 1.0, -2.25), ".2f"), "(0,50; 1,00; -2,25) mm")
+        self.assertEqual(porosity_text(Estimate(0.3612, 0.0004, 0.5, ())), "36,12 ± 0,04")
+
+    def test_files_and_macros_have_points(self):
+        from freecad_trabecula.core.job import job_to_json
+        from freecad_trabecula.gui.document_work import parameters_text
+
+        text = job_to_json(preset("case1"))
+        self.assertEqual(json.loads(text)["pores"]["layout"], preset("case1").pores.layout)
+        self.assertNotRegex(text, r"\d,\d")
+        self.assertIn("scatter=0.25", parameters_text(PoreParameters(scatter=0.25)))
+
+
+class SpeechTest(WindowTest):
+    def test_a_refusal_is_told_in_german_with_its_value(self):
+        with self.assertRaises(ParameterError) as caught:
+            PoreParameters(corners=1)
+        with transactions.told():
+            raise caught.exception
+        self.assertEqual(self.dialogs, [language.in_words(str(caught.exception))])
+        self.assertIn("muss", self.dialogs[0])
+        self.assertIn("1", self.dialogs[0])
+
+    def test_a_message_without_a_template_stays_as_it_is(self):
+        self.assertEqual(language.in_words("quux frobnicated"), "quux frobnicated")
+
+    def test_the_state_of_an_object_stays_english_in_the_document_and_is_german_in_the_window(self):
+        with tempfile.TemporaryDirectory() as folder:
+            wireframe = make.make_design(self.document, preset("case1")).wireframe
+            self.document.recompute()
+            path = Path(folder) / "design.FCStd"
+            self.document.saveAs(str(path))
+            self.assertIn("rods", wireframe.Status)
+            self.assertIn("Stäbe", language.in_words(wireframe.Status))
+
+
+class PropertyTest(WindowTest):
+    def test_what_a_property_is_can_be_read_in_german(self):
+        wireframe = make.make_design(self.document, preset("case1")).wireframe
+        for name in ("PoreLayout", "Rods", "Seed"):
+            said = wireframe.getDocumentationOfProperty(name)
+            self.assertNotEqual(FreeCAD.Qt.translate("App::Property", said), said, name)
+        self.assertTrue(QtCore.QCoreApplication.translate("App::Property", "Engine that cut the channels"))

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The window in Italian: texts of commands, panels and tooltips; the packed translations are those of the .ts files."""
+
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+from window import WindowTest
+from words import label_texts, menu_texts
+
+from freecad_trabecula.gui import language, panels
+
+ROOT = Path(__file__).resolve().parents[2]
+#: Read by tests/run.py, which writes it into FreeCAD's settings.
+LANGUAGE = "Italian"
+
+
+class TextTest(WindowTest):
+    def test_freecad_and_its_numbers_are_italian(self):
+        self.assertEqual(FreeCADGui.getLocale(), "Italian")
+        self.assertEqual(language.decimal_point(), ",")
+
+    def test_commands_have_italian_texts_and_tooltips(self):
+        self.assertIn("Progetta aste", menu_texts())
+        tips = [action.toolTip() for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)]
+        self.assertTrue(any("Tagliare i canali dall'involucro" in tip for tip in tips))
+
+    def test_the_design_panel_is_italian(self):
+        panel = self.open_preset("case1")
+        texts = label_texts(panel.form)
+        for words in ("Involucro", "Seme", "Siti su"):
+            self.assertIn(words, texts)
+        self.assertIn("Un solo numero", panel.fields.seed.widget.toolTip())
+        self.assertIn("aste", panel.outcome.headline.text())
+
+    def test_the_panel_of_voxels_is_italian(self):
+        self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        panels.open_voxels(self.document)
+        self.assertIn("Lato dei voxel", label_texts(panels.current().form))
+
+
+class PackedTest(unittest.TestCase):
+    def test_the_packed_files_hold_the_translations_of_the_ts_files(self):
+        for code in ("de", "it"):
+            path = ROOT / "resources" / "translations" / f"Trabecula_{code}.ts"
+            translator = QtCore.QTranslator()
+            self.assertTrue(translator.load(str(path.with_suffix(".qm"))))
+            count = 0
+            for context in ElementTree.parse(path).getroot().iter("context"):
+                for message in context.iter("message"):
+                    source, target = message.findtext("source"), message.findtext("translation") or ""
+                    packed = translator.translate(context.findtext("name"), source) or ""
+                    self.assertEqual(packed, target, (code, source))
+                    count += bool(target)
+            self.assertGreater(count, 500)

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""No text of the window escapes translation: read from the syntax trees of ``gui`` and from the .ts files."""
+
+import ast
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+
+import translations  # noqa: E402
+from window_texts import Text  # noqa: E402
+
+#: Functions and methods that show what they are given: places of the texts among their arguments; None: all.
+SHOWS = {
+    **dict.fromkeys(
+        ("setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip"), None
+    ),
+    **dict.fromkeys(("setPrefix", "setSuffix", "setLabelText", "setFormat", "setHorizontalHeaderLabels"), None),
+    **dict.fromkeys(("setHeaderLabels", "setVerticalHeaderLabels", "QLabel", "QPushButton", "QCheckBox"), None),
+    **dict.fromkeys(("QRadioButton", "QAction", "QGroupBox", "QListWidgetItem", "QTableWidgetItem"), None),
+    **dict.fromkeys(("QTreeWidgetItem", "QDockWidget", "QProgressDialog", "QMessageBox"), None),
+    **dict.fromkeys(("warning", "information", "question", "critical", "say", "show_error"), None),
+    **dict.fromkeys(("getOpenFileName", "getSaveFileName", "getExistingDirectory", "getText", "getInt"), None),
+    **dict.fromkeys(("Figure", "Checked", "Row", "Diagram", "PanelForm"), (0, 1)),
+    **dict.fromkeys(("SwitchField", "WholeField", "TextField", "PointField", "ChoiceField", "NumberField"), None),
+    **dict.fromkeys(("addItem", "addItems", "addRow", "addTab", "insertTab", "setTabText"), None),
+    "transaction": (1,),
+    "small_button": (1, 3),
+    "drawText": None,
+}
+#: Functions that give a text in the language of the window.
+TRANSLATES = ("translate", "in_words", "description", "choice", "filled", "icon", "icon_path", "_doc")
+TRANSLATES += ("local_number", "place_text", "with_decimals", "offer_words", "_text")
+#: What is the same in every language: units, axes, tags of rich text, names of programs and of FreeCAD's icons.
+PLAIN = re.compile(
+    r"</?\w+[^>]*>?|^Trabecula_\w+$|\b(mm|GB|MB|kB|min|nan|inf|XYZ|UV|Face|Trabecula|STL|SSL|SVG|PNG|pip)\b|mm[²³23]?"
+)
+WORD = re.compile(r"[A-Za-zÀ-ž]{2,}")
+
+
+def gui_trees():
+    """Return path and syntax tree of each module of the window."""
+    paths = sorted((ROOT / "freecad_trabecula" / "gui").glob("*.py"))
+    return [(path.name, ast.parse(path.read_text(encoding="utf-8"))) for path in paths]
+
+
+def name_of(call):
+    """Return the last word of what is called."""
+    return getattr(call.func, "id", getattr(call.func, "attr", ""))
+
+
+def bare_words(node):
+    """Yield the words of literals in an expression that no translation has seen."""
+    if isinstance(node, ast.Call):
+        if name_of(node) in TRANSLATES:
+            return
+        receiver = node.func.value if isinstance(node.func, ast.Attribute) else None
+        names = {
+            "get",
+            "property",
+            "itemData",
+            "findChild",
+            "getattr",
+            "hasattr",
+            "strftime",
+            "join",
+            "replace",
+            "split",
+        }
+        if name_of(node) in names:
+            if name_of(node) == "join":
+                yield from bare_words(node.args[0])
+            return
+        for one in ([receiver] if receiver is not None else []) + node.args + [key.value for key in node.keywords]:
+            yield from bare_words(one)
+    elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+        if WORD.search(PLAIN.sub("", node.value)):
+            yield node.value
+    elif isinstance(node, (ast.Subscript, ast.Compare, ast.Lambda, ast.Dict)):
+        return
+    elif isinstance(node, ast.IfExp):
+        yield from bare_words(node.body)
+        yield from bare_words(node.orelse)
+    elif isinstance(node, ast.FormattedValue):
+        yield from bare_words(node.value)
+    else:
+        for child in ast.iter_child_nodes(node):
+            yield from bare_words(child)
+
+
+def escaped(tree):
+    """Return (line, text) of each literal that is shown as it is."""
+    found = []
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        name = name_of(call)
+        if name in SHOWS:
+            places = SHOWS[name]
+            shown = [one for place, one in enumerate(call.args) if places is None or place in places]
+            shown += [key.value for key in call.keywords if key.arg in ("tip", "text", "title")]
+            found += [(call.lineno, words) for one in shown for words in bare_words(one)]
+    return found
+
+
+@pytest.mark.parametrize("source", [
+    "box.setToolTip('Size of a pore')",
+    "QtGui.QLabel(f'{count} rods')",
+    "say('was written' if done else translate('Trabecula', 'failed'))",
+    "button.setText('<b>' + 'Build' + '</b>')",
+])  # fmt: skip
+def test_a_literal_that_is_shown_as_it_is_would_be_found(source):
+    assert len(escaped(ast.parse(source))) == 1
+
+
+@pytest.mark.parametrize("source", [
+    "box.setToolTip(translate('Trabecula', 'Size of a pore'))",
+    "label.setText(f'<b>{local_number(size, \".2f\")} mm</b>')",
+    "label.setText(values['name of a key'])",
+    "say(translate('Trabecula', '{} was written').format(path))",
+])  # fmt: skip
+def test_what_is_translated_or_the_same_everywhere_is_not_taken_for_a_literal(source):
+    assert escaped(ast.parse(source)) == []
+
+
+def test_no_literal_is_shown_without_translation():
+    found = [f"{name}:{line}: {words!r}" for name, tree in gui_trees() for line, words in escaped(tree)]
+    assert found == []
+
+
+def test_every_translate_has_literals_that_the_command_can_find():
+    found = []
+    for name, tree in gui_trees():
+        calls = (node for node in ast.walk(tree) if isinstance(node, ast.Call) and name_of(node) == "translate")
+        for call in calls:
+            if not all(isinstance(one, ast.Constant) for one in call.args[:2]) and name != "language.py":
+                found.append(f"{name}:{call.lineno}: {ast.unparse(call)}")
+    assert found == []
+
+
+# ---------------------------------------------------------------------------------------------- the files themselves
+
+
+@pytest.fixture(scope="module")
+def texts():
+    """Return all texts, read in a process of its own: the stand-ins for FreeCAD must not stay in this one."""
+    done = subprocess.run([sys.executable, str(ROOT / "tools" / "window_texts.py")], capture_output=True, check=True)
+    return {Text(context, source): set(files) for context, source, files in json.loads(done.stdout)}
+
+
+def test_texts_of_every_kind_are_found(texts):
+    for context, source in (
+        ("Trabecula", "Voxel size"),
+        ("Trabecula_Design", "Design rods"),
+        ("Choices", "trabecular"),
+        ("App::Property", "Width along Y"),
+        ("App::Property", "Engine that cut the channels"),
+        ("Core", "the number of corners of a pore must lie in 3..12, got {}"),
+        ("Core", "{} must be at least {}, got {}"),
+        ("Core", "porosity {} % by the {} engine"),
+        ("Core", "trabecular thickness"),
+    ):
+        assert Text(context, source) in texts
+
+
+@pytest.mark.parametrize("language", translations.LANGUAGES)
+def test_translations_have_the_placeholders_and_mnemonics_of_their_texts(language, texts):
+    done = translations.read_ts(translations.ts_path(language))
+    wrong = [fault for fault in translations.faults(texts, done) if fault.startswith("other")]
+    assert len(done) > 500
+    assert wrong == []
+
+
+def test_a_translation_with_another_placeholder_is_told():
+    text = Text("Trabecula", "{} of {:.2f}")
+    for translation in ("{} von", "{:.2f} von {}", "{} von {:.3f}"):
+        assert translations.faults({text: set()}, {text: translation})
+    for translation in ("{} von {:.2f}", "{1:.2f}, davon {0}"):
+        assert translations.faults({text: set()}, {text: translation}) == []
+
+
+def test_what_was_translated_stays_and_what_is_new_is_unfinished(tmp_path):
+    path, old, new = tmp_path / "x.ts", Text("Trabecula", "A & <b>"), Text("Trabecula", "new")
+    translations.write_ts(
+        path, "de", {old: {"a.py"}, new: {"b.py"}}, {old: "Ä & <b>", Text("Trabecula", "gone"): "weg"}
+    )
+    assert translations.read_ts(path) == {old: "Ä & <b>"}
+    assert 'type="unfinished"' in path.read_text(encoding="utf-8")
+    assert "weg" not in path.read_text(encoding="utf-8")

@@ -1,0 +1,350 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every text that can reach the window, read from the sources: what ``tools/translations.py`` puts into its files.
+
+Texts are ordered by their context, as Qt has it:
+
+* ``Trabecula``: literals handed to ``translate("Trabecula", ...)`` in ``gui/``;
+* ``Trabecula_...``: text and tooltip of a command; FreeCAD asks for them under the command's name;
+* ``Workbench``: titles of menu and toolbars, and what ``InitGui.py`` says of the workbench;
+* ``App::Property``: what a property or a field of a panel is (its tooltip), of parameter classes and features;
+* ``Choices``: the words of combo boxes, which documents and files keep as they stand in the code;
+* ``Core``: what core, geometry and features say: refusals, states, notes, names of measures, steps of long work. Of an
+  f-string the template is kept, with ``{}`` for each value; ``gui/language.py`` finds it again when a message is shown;
+* the class of a form in ``resources/ui``: its labels and tooltips.
+
+Of the package only the modules of parameters are run, with a stand-in for FreeCAD: any Python with numpy can do it.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import json
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from dataclasses import fields
+from pathlib import Path
+from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
+from unittest.mock import MagicMock
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = ROOT / "freecad_trabecula"
+#: Layers below the window, whose messages are shown in it.
+BELOW = ("core", "geometry", "features", "shell/worker.py")
+MARKS = ("translate", "QT_TRANSLATE_NOOP")
+
+
+class Text(NamedTuple):
+    """A text and its context."""
+
+    context: str
+    source: str
+
+
+Found = Dict[Text, Set[str]]
+
+
+def window_texts() -> Found:
+    """Return all texts, each with the files that hold it."""
+    found: Found = {}
+    for texts in (_marked(), _commands(), _choices(), _properties(), _below(), _forms()):
+        for text, file in texts:
+            if text.source.strip():
+                found.setdefault(text, set()).add(file)
+    return found
+
+
+# ------------------------------------------------------------------------------------------------ reading sources
+
+
+def _modules(*places: str) -> Iterator[Tuple[str, ast.Module]]:
+    """Yield path and syntax tree of each module below some places of the package."""
+    for place in places:
+        start = PACKAGE / place
+        for path in sorted(start.rglob("*.py")) if start.is_dir() else [start]:
+            yield str(path.relative_to(ROOT)), ast.parse(path.read_text(encoding="utf-8"))
+
+
+def _callee(call: ast.Call) -> str:
+    return getattr(call.func, "id", getattr(call.func, "attr", ""))
+
+
+def _argument(call: ast.Call, place: int, name: str = "") -> Optional[ast.expr]:
+    named = next((one.value for one in call.keywords if name and one.arg == name), None)
+    return named if named is not None else (call.args[place] if place < len(call.args) else None)
+
+
+def literal(node: Optional[ast.AST]) -> Optional[str]:
+    """Return the text of a string literal; None of anything else."""
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+# -------------------------------------------------------------------------------------------- texts of the window
+
+
+def _marked() -> Iterator[Tuple[Text, str]]:
+    trees = [*_modules("gui"), ("InitGui.py", ast.parse((ROOT / "InitGui.py").read_text(encoding="utf-8")))]
+    for file, tree in trees:
+        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call) and _callee(node) in MARKS):
+            words = [literal(node) for node in call.args[:2]]
+            if None not in words:
+                yield Text(*words), file
+
+
+def _commands() -> Iterator[Tuple[Text, str]]:
+    """Texts of the classes that have a NAME, in the order in which FreeCAD would ask for them."""
+    for file, tree in _modules("gui"):
+        for node in (one for one in ast.walk(tree) if isinstance(one, ast.ClassDef)):
+            values = dict(_class_values(node))
+            for key in ("TEXT", "TIP"):
+                if values.get("NAME") and values.get(key):
+                    yield Text(values["NAME"], values[key]), file
+
+
+def _class_values(node: ast.ClassDef) -> Iterator[Tuple[str, str]]:
+    for line in (one for one in node.body if isinstance(one, ast.Assign)):
+        names, values = line.targets[0], line.value
+        pairs = zip(names.elts, values.elts) if isinstance(names, ast.Tuple) and isinstance(values, ast.Tuple) else ()
+        for name, value in pairs or ((names, values),):
+            if isinstance(name, ast.Name) and literal(value):
+                yield name.id, literal(value)
+
+
+def _forms() -> Iterator[Tuple[Text, str]]:
+    for path in sorted((ROOT / "resources" / "ui").glob("*.ui")):
+        tree = ElementTree.parse(path).getroot()
+        for node in tree.iter("string"):
+            if node.get("notr") != "true":
+                yield Text(tree.findtext("class"), node.text or ""), str(path.relative_to(ROOT))
+
+
+# ---------------------------------------------------------------------------------------- choices and properties
+
+
+def _choices() -> Iterator[Tuple[Text, str]]:
+    for cls in parameter_classes():
+        for field in fields(cls):
+            for word in field.metadata.get("choices", ()):
+                yield Text("Choices", word), _file_of(cls)
+    for file, tree in _modules("gui"):
+        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+            if _callee(call) in ("ChoiceField", "offer_words") and call.args:
+                for word in _words(call.args[0], file):
+                    yield Text("Choices", word), file
+
+
+def _words(node: ast.expr, file: str) -> Sequence[str]:
+    """The words of a tuple, or of a name or call that stands for one; none of what only a document knows."""
+    if isinstance(node, (ast.Tuple, ast.List)):
+        return [word for one in node.elts for word in _words(one, file)]
+    if isinstance(node, ast.Starred):
+        return _words(node.value, file)
+    if literal(node):
+        return [literal(node)]
+    name = getattr(node, "id", "") or (_callee(node) if isinstance(node, ast.Call) else "")
+    for line in ast.parse((ROOT / file).read_text(encoding="utf-8")).body:
+        if isinstance(line, ast.Assign) and any(isinstance(one, ast.Name) and one.id == name for one in line.targets):
+            return _words(line.value, file)
+        if isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Tuple):
+            names = [getattr(one, "id", "") for one in line.targets[0].elts]
+            if name in names and isinstance(line.value, ast.Tuple):
+                return _words(line.value.elts[names.index(name)], file)
+        if isinstance(line, ast.ImportFrom) and any((one.asname or one.name) == name for one in line.names):
+            return _imported(line, name, file)
+    return []
+
+
+def _imported(line: ast.ImportFrom, name: str, file: str) -> Sequence[str]:
+    package = Path(file).parent
+    for _ in range(line.level - 1):
+        package = package.parent
+    if package.parts[1:2] == ("core",) or (line.module or "").startswith("core"):
+        with _StandIns():
+            module = importlib.import_module(".".join((*package.parts, *(line.module or "").split("."))))
+        value = getattr(module, name)
+        value = value() if callable(value) else value
+        return [word for word in value if isinstance(word, str)]
+    path = package.joinpath(*(line.module or "").split(".")).with_suffix(".py")
+    return _words(ast.Name(name), str(path)) if (ROOT / path).is_file() else []
+
+
+class _StandIns:
+    """Lets modules that import FreeCAD be read where there is none."""
+
+    NAMES = ("FreeCAD", "Part", "Mesh", "MeshPart")
+
+    def __enter__(self) -> None:
+        sys.path.insert(0, str(ROOT))
+        for name in self.NAMES:
+            sys.modules.setdefault(name, MagicMock())
+
+    def __exit__(self, *_: Any) -> None:
+        sys.path.remove(str(ROOT))
+
+
+def parameter_classes() -> Iterable[type]:
+    """Return the classes of parameters that objects and panels are made of."""
+    with _StandIns():
+        base = importlib.import_module("freecad_trabecula.features.base")
+        core = importlib.import_module("freecad_trabecula.core.parameters")
+    every = [*base.BINDINGS, *(one for one in vars(core).values() if isinstance(one, type))]
+    return [cls for cls in dict.fromkeys(every) if hasattr(cls, "__dataclass_fields__")]
+
+
+def _file_of(cls: type) -> str:
+    return cls.__module__.replace(".", "/") + ".py"
+
+
+def _properties() -> Iterator[Tuple[Text, str]]:
+    with _StandIns():
+        base = importlib.import_module("freecad_trabecula.features.base")
+    for cls in parameter_classes():
+        for field in fields(cls):
+            if "doc" in field.metadata:
+                yield Text("App::Property", field.metadata["doc"]), _file_of(cls)
+    for cls in base.BINDINGS:
+        for doc in base.descriptions(cls):
+            yield Text("App::Property", doc), _file_of(cls)
+    for file, tree in _modules("features"):
+        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+            place = DOCUMENTED.get(_callee(call))
+            if place is not None and literal(_argument(call, place, "doc")):
+                yield Text("App::Property", literal(_argument(call, place, "doc"))), file
+
+
+# ---------------------------------------------------------------------------------------- what the layers below say
+
+
+def _below() -> Iterator[Tuple[Text, str]]:
+    for file, tree in _modules(*BELOW):
+        for template in _Speech(tree, is_written=file.endswith(WRITTEN)).templates:
+            yield Text("Core", template), file
+
+
+class _Speech(ast.NodeVisitor):
+    """Collects the templates of what a module says."""
+
+    def __init__(self, tree: ast.Module, is_written: bool) -> None:
+        self.templates: List[str] = []
+        self._only_errors = is_written
+        self._names: List[Dict[str, List[ast.expr]]] = [_bound(tree.body)]
+        self.visit(tree)
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        """Read a function, without its docstring; its names stand for the texts that they are given."""
+        self._names.append(_bound(ast.walk(node)))
+        for line in node.body[1:] if literal(getattr(node.body[0], "value", None)) else node.body:
+            self.visit(line)
+        self._names.pop()
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> None:
+        """Read a class, without its docstring."""
+        for line in node.body:
+            self.visit(line)
+
+    def visit_Expr(self, node: ast.Expr) -> None:
+        """Pass over docstrings."""
+        if literal(node.value) is None:
+            self.visit(node.value)
+
+    def visit_Raise(self, node: ast.Raise) -> None:
+        """Take what an error says."""
+        if isinstance(node.exc, ast.Call) and node.exc.args:
+            self._take(node.exc.args[0])
+
+    def visit_Call(self, node: ast.Call) -> None:
+        """Take a checked rule with what it adds, and the step of a long work, which may be one word."""
+        name = _callee(node)
+        if name in RULES:
+            self._take(RULES[name](node))
+            return
+        if name in NOT_SPOKEN:
+            return
+        if name in ("progress", "report") and len(node.args) == 3:
+            self._take(node.args[2], words=1)
+        self.generic_visit(node)
+
+    def visit_Constant(self, node: ast.Constant) -> None:
+        """Take a text of several words."""
+        if not self._only_errors and literal(node):
+            self._take(node, words=2)
+
+    def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
+        """Take a text with values in it."""
+        if not self._only_errors:
+            self._take(node, words=2)
+
+    def _take(self, node: ast.expr, words: int = 1) -> None:
+        for template in self._read(node):
+            plain = re.sub(r"\{\}", " ", template)
+            is_speech = words == 1 or " " in template.strip()
+            if is_speech and len(_WORD.findall(plain)) >= min(words, 1) and not _NO_WORDS.search(template):
+                self.templates.append(template)
+
+    def _read(self, node: ast.AST, depth: int = 0) -> List[str]:
+        """All templates that an expression may give; "{}" for what is known at run time only."""
+        if literal(node) is not None:
+            return [literal(node).replace("{", "{{").replace("}", "}}")]
+        if isinstance(node, ast.JoinedStr):
+            return self._joined([self._read(one, depth) for one in node.values])
+        if isinstance(node, ast.FormattedValue):
+            return self._read(node.value, depth) if node.format_spec is None else ["{}"]
+        if isinstance(node, ast.IfExp):
+            return [*self._read(node.body, depth), *self._read(node.orelse, depth)]
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            return self._joined([self._read(node.left, depth), self._read(node.right, depth)])
+        if isinstance(node, ast.Name) and depth < 2:
+            values = next((names[node.id] for names in reversed(self._names) if node.id in names), [])
+            found = [text for value in values for text in self._read(value, depth + 1)]
+            return found if found and "{}" not in found else ["{}"]
+        return ["{}"]
+
+    @staticmethod
+    def _joined(parts: Sequence[Sequence[str]]) -> List[str]:
+        found = [""]
+        for part in parts:
+            found = [head + tail for head in found for tail in dict.fromkeys(part)]
+            if len(found) > _MOST_VARIANTS:
+                return ["".join(part[0] if len(part) == 1 else "{}" for part in parts)]
+        return found
+
+
+def _bound(nodes: Iterable[ast.AST]) -> Dict[str, List[ast.expr]]:
+    """Names that are given values by plain assignments, with all these values."""
+    found: Dict[str, List[ast.expr]] = {}
+    for node in nodes:
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
+            found.setdefault(node.targets[0].id, []).append(node.value)
+    return found
+
+
+def _require(call: ast.Call) -> ast.expr:
+    """What ``core.parameters.require(ok, rule, value, unit)`` says."""
+    return ast.JoinedStr([call.args[1], ast.Constant(", got "), ast.FormattedValue(ast.Constant(None), -1)])
+
+
+#: Functions that refuse a value with a rule, and what they say.
+RULES: Dict[str, Callable[[ast.Call], ast.expr]] = {"require": _require}
+#: Functions whose texts are no speech: descriptions of properties (``App::Property``), patterns.
+NOT_SPOKEN = ("Property", "result", "_f", "compile", "sub", "match", "search", "fullmatch", "split", "doc")
+DOCUMENTED = {"Property": 3, "result": 2, "addProperty": 3}
+#: Modules whose texts go into files, which stay English; what they refuse is shown.
+WRITTEN = (
+    *("report_text.py", "comparison_report.py", "core/analysis/report.py", "core/report.py", "plots.py", "workbook.py"),
+    *("mesh_formats.py", "svg_layers.py", "ssl.py", "volume_files.py", "brep_text.py", "job.py", "json_values.py"),
+)
+_WORD = re.compile(r"[A-Za-z]{2,}")
+_NO_WORDS = re.compile(r"[\n<\\]|%[.d]|DOI|python3 -m|https?:|->|^[a-z]+_[a-z_]+ |^[a-z]+ -|\.json|^#|^\*")
+_MOST_VARIANTS = 6
+
+
+def main() -> int:
+    """Print the texts as JSON, for tests that must not load stand-ins."""
+    rows = [[text.context, text.source, sorted(files)] for text, files in window_texts().items()]
+    print(json.dumps(rows, ensure_ascii=False, indent=0))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
