@@ -31,7 +31,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>Body and face of the mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper und Fläche der Marke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -161,7 +161,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>Count of faces; points on the face and normals there</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Flächen; Punkte auf der Fläche und Normalen dort</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -6402,7 +6402,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>Not now: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt nicht: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6906,7 +6906,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Start from this design of the thesis. Select nothing: it brings its own body</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit diesem Entwurf der Dissertation beginnen. Nichts auswählen: er bringt seinen Körper mit</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7149,7 +7149,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>an analysis is on its way already</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Analyse läuft bereits</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7194,12 +7194,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>build a scaffold first</source>
-        <translation type="unfinished"></translation>
+        <translation>zuerst ein Gerüst erzeugen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>build a scaffold or a network first</source>
-        <translation type="unfinished"></translation>
+        <translation>zuerst ein Gerüst oder ein Netzwerk erzeugen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7214,7 +7214,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>close the open task panel first</source>
-        <translation type="unfinished"></translation>
+        <translation>zuerst das offene Aufgabenfenster schließen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7295,7 +7295,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>no document is open</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Dokument ist offen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -7312,7 +7312,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>nothing has been designed or analysed yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch ist nichts entworfen oder analysiert</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7383,12 +7383,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>select a network, a scaffold, a mesh or a solid</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netzwerk, ein Gerüst, ein Netz oder einen Volumenkörper auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>select a solid, or faces of one</source>
-        <translation type="unfinished"></translation>
+        <translation>einen Volumenkörper oder Flächen davon auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -7429,22 +7429,22 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no analysis yet</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt noch keine Analyse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no design of rods yet</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt noch keinen Stabentwurf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no voxel design yet</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt noch keinen Voxelentwurf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>there is only one analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt nur eine Analyse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -7529,7 +7529,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>{} lines that make {} again are on the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Zeilen, die {} wieder erzeugen, sind in der Zwischenablage</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7579,7 +7579,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Körper schneiden, wie es zu ihm passt, und die Diagramme zeigen. Gerüst, Netz oder Volumenkörper auswählen</translation>
     </message>
 </context>
 <context>
@@ -7592,7 +7592,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneiden und jeden Schnitt vermessen. Netz, Volumenkörper, Entwurf oder Analyse auswählen, oder nichts, um eine Datei zu wählen</translation>
     </message>
 </context>
 <context>
@@ -7605,7 +7605,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Show two or more analyses on shared axes, and how near they are. Select them, or none for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei oder mehr Analysen auf gemeinsamen Achsen zeigen, und wie nahe sie sich sind. Sie auswählen, oder keine für alle</translation>
     </message>
 </context>
 <context>
@@ -7613,12 +7613,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Copy as script</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Skript kopieren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Copy the Python that makes it again. Select a design or an analysis, or nothing for all of the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Python kopieren, das es wieder erzeugt. Einen Entwurf oder eine Analyse auswählen, oder nichts für das ganze Dokument</translation>
     </message>
 </context>
 <context>
@@ -7626,7 +7626,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Design a network of rods. Select a solid, or a design to change; with nothing selected a prism is filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netzwerk von Stäben entwerfen. Einen Volumenkörper oder einen zu ändernden Entwurf auswählen; ohne Auswahl wird ein Prisma gefüllt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7639,7 +7639,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Change, move or switch off one site or its pore. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Stelle oder ihre Pore ändern, verschieben oder abschalten. Braucht einen Entwurf; von mehreren einen auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7657,7 +7657,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Write scaffold, channels or rods as STL, STEP, BREP, OBJ, PLY, 3MF, sizes first. Needs a scaffold or a network</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst, Kanäle oder Stäbe als STL, STEP, BREP, OBJ, PLY, 3MF schreiben, zuerst die Größen. Braucht ein Gerüst oder ein Netzwerk</translation>
     </message>
 </context>
 <context>
@@ -7665,7 +7665,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Lay sites on faces. Select a solid, whose faces you pick next, or faces of one</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen auf Flächen setzen. Einen Volumenkörper auswählen, dessen Flächen danach angeklickt werden, oder Flächen davon</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7683,7 +7683,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Drähte oder Volumenkörper aus Schichten machen, nach einer Schätzung. Braucht einen Voxelentwurf; von mehreren einen auswählen</translation>
     </message>
 </context>
 <context>
@@ -7696,7 +7696,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Build the rods as solids (STEP); no Boolean is needed. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stäbe als Volumenkörper erzeugen (STEP); ohne boolesche Operation. Braucht einen Entwurf; von mehreren einen auswählen</translation>
     </message>
 </context>
 <context>
@@ -7704,7 +7704,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Open a job file: all that a design needs. Select nothing: it names its own body</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Auftragsdatei öffnen: alles, was ein Entwurf braucht. Nichts auswählen: sie nennt ihren Körper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7717,7 +7717,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Profile der Analysen und den Schnitt unter dem Mauszeiger ein- oder ausblenden. Die Analysen auswählen, die gezeigt werden sollen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
@@ -7730,12 +7730,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Designs of the thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe der Dissertation</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Start from a design of the thesis. Select nothing: it brings its own body</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Entwurf der Dissertation beginnen. Nichts auswählen: er bringt seinen Körper mit</translation>
     </message>
 </context>
 <context>
@@ -7743,7 +7743,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Porosity, volumes, counts, recoveries, pore sizes, checks. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität, Volumen, Anzahlen, Behebungen, Porengrößen, Prüfungen. Braucht einen Entwurf; von mehreren einen auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7761,7 +7761,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show or hide what is known of a rod. Select one in the 3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen oder ausblenden, was von einem Stab bekannt ist. Einen in der 3D-Ansicht auswählen</translation>
     </message>
 </context>
 <context>
@@ -7774,7 +7774,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Save the design as a job file, which the command line runs too. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Entwurf als Auftragsdatei speichern, die auch die Befehlszeile ausführt. Braucht einen Entwurf; von mehreren einen auswählen</translation>
     </message>
 </context>
 <context>
@@ -7787,7 +7787,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Cut the channels out of the envelope: scaffold, channels, porosity. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kanäle aus dem Hüllkörper schneiden: Gerüst, Kanäle, Porosität. Braucht einen Entwurf; von mehreren einen auswählen</translation>
     </message>
 </context>
 <context>
@@ -7800,7 +7800,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show rods or channels: two views of one wireframe. Needs a scaffold</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe oder Kanäle zeigen: zwei Ansichten eines Drahtgerüsts. Braucht ein Gerüst</translation>
     </message>
 </context>
 <context>
@@ -7813,7 +7813,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Write mesh, voxels or images of layers; sizes are shown first. Needs a voxel design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz, Voxel oder Bilder der Schichten schreiben; zuerst die Größen. Braucht einen Voxelentwurf; von mehreren einen auswählen</translation>
     </message>
 </context>
 <context>
@@ -7821,7 +7821,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Show or hide the layers of sample and design with their counts. Select a voxel design, or nothing for the last</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schichten von Probe und Entwurf mit ihren Anzahlen ein- oder ausblenden. Einen Voxelentwurf auswählen, oder nichts für den letzten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
@@ -7839,7 +7839,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel mit den Schnittflächen einer Probe entlang X, Y und Z entwerfen. Körper, Analyse oder Voxelentwurf auswählen</translation>
     </message>
 </context>
 <context>
@@ -7847,47 +7847,47 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Rods</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Slices</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Trabecula</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Trabecula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;tudy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Untersuchung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula slices</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Schnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula study</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Untersuchung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Voxel</translation>
     </message>
 </context>
 </TS>

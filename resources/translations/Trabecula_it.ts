@@ -31,7 +31,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>Body and face of the mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Corpo e faccia del contrassegno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -161,7 +161,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>Count of faces; points on the face and normals there</source>
-        <translation type="unfinished"></translation>
+        <translation>Numero di facce; punti sulla faccia e normali in essi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -6402,7 +6402,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>Not now: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Non ora: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6906,7 +6906,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Start from this design of the thesis. Select nothing: it brings its own body</source>
-        <translation type="unfinished"></translation>
+        <translation>Partire da questo progetto della tesi. Non selezionare nulla: porta il proprio corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7149,7 +7149,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>an analysis is on its way already</source>
-        <translation type="unfinished"></translation>
+        <translation>un'analisi è già in corso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7194,12 +7194,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>build a scaffold first</source>
-        <translation type="unfinished"></translation>
+        <translation>costruire prima uno scaffold</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>build a scaffold or a network first</source>
-        <translation type="unfinished"></translation>
+        <translation>costruire prima uno scaffold o una rete</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7214,7 +7214,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>close the open task panel first</source>
-        <translation type="unfinished"></translation>
+        <translation>chiudere prima il pannello aperto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7295,7 +7295,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>no document is open</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun documento è aperto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -7312,7 +7312,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>nothing has been designed or analysed yet</source>
-        <translation type="unfinished"></translation>
+        <translation>non è ancora stato progettato o analizzato nulla</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7383,12 +7383,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>select a network, a scaffold, a mesh or a solid</source>
-        <translation type="unfinished"></translation>
+        <translation>selezionare una rete, uno scaffold, una mesh o un solido</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>select a solid, or faces of one</source>
-        <translation type="unfinished"></translation>
+        <translation>selezionare un solido, o alcune sue facce</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -7429,22 +7429,22 @@
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no analysis yet</source>
-        <translation type="unfinished"></translation>
+        <translation>non c'è ancora un'analisi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no design of rods yet</source>
-        <translation type="unfinished"></translation>
+        <translation>non c'è ancora un progetto di aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no voxel design yet</source>
-        <translation type="unfinished"></translation>
+        <translation>non c'è ancora un progetto a voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>there is only one analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>c'è una sola analisi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -7529,7 +7529,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>{} lines that make {} again are on the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>{} righe che rifanno {} sono negli appunti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7579,7 +7579,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Affettare un corpo come richiede il suo tipo e mostrare i grafici. Selezionare uno scaffold, una mesh o un solido</translation>
     </message>
 </context>
 <context>
@@ -7592,7 +7592,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Affettare e misurare ogni fetta. Selezionare una mesh, un solido, un progetto o un'analisi, o nulla per scegliere un file</translation>
     </message>
 </context>
 <context>
@@ -7605,7 +7605,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Show two or more analyses on shared axes, and how near they are. Select them, or none for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare due o più analisi su assi comuni, e quanto sono vicine. Selezionarle, o nessuna per tutte</translation>
     </message>
 </context>
 <context>
@@ -7613,12 +7613,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Copy as script</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia come script</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Copy the Python that makes it again. Select a design or an analysis, or nothing for all of the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiare il Python che lo rifà. Selezionare un progetto o un'analisi, o nulla per tutto il documento</translation>
     </message>
 </context>
 <context>
@@ -7626,7 +7626,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Design a network of rods. Select a solid, or a design to change; with nothing selected a prism is filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Progettare una rete di aste. Selezionare un solido, o un progetto da cambiare; senza selezione si riempie un prisma</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7639,7 +7639,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Change, move or switch off one site or its pore. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiare, spostare o disattivare un sito o il suo poro. Serve un progetto; selezionarne uno tra più</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7657,7 +7657,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Write scaffold, channels or rods as STL, STEP, BREP, OBJ, PLY, 3MF, sizes first. Needs a scaffold or a network</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivere scaffold, canali o aste come STL, STEP, BREP, OBJ, PLY, 3MF, prima le dimensioni. Serve uno scaffold o una rete</translation>
     </message>
 </context>
 <context>
@@ -7665,7 +7665,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Lay sites on faces. Select a solid, whose faces you pick next, or faces of one</source>
-        <translation type="unfinished"></translation>
+        <translation>Disporre siti su facce. Selezionare un solido, le cui facce si indicano dopo, o alcune sue facce</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7683,7 +7683,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare fili o solidi di strati, dopo una stima. Serve un progetto a voxel; selezionarne uno tra più</translation>
     </message>
 </context>
 <context>
@@ -7696,7 +7696,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Build the rods as solids (STEP); no Boolean is needed. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Costruire le aste come solidi (STEP); non serve alcuna operazione booleana. Serve un progetto; selezionarne uno tra più</translation>
     </message>
 </context>
 <context>
@@ -7704,7 +7704,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Open a job file: all that a design needs. Select nothing: it names its own body</source>
-        <translation type="unfinished"></translation>
+        <translation>Aprire un file di lavoro: tutto ciò che serve a un progetto. Non selezionare nulla: nomina il proprio corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7717,7 +7717,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare o nascondere i profili delle analisi e la fetta sotto il cursore. Selezionare le analisi da mostrare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
@@ -7730,12 +7730,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Designs of the thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Progetti della tesi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Start from a design of the thesis. Select nothing: it brings its own body</source>
-        <translation type="unfinished"></translation>
+        <translation>Partire da un progetto della tesi. Non selezionare nulla: porta il proprio corpo</translation>
     </message>
 </context>
 <context>
@@ -7743,7 +7743,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Porosity, volumes, counts, recoveries, pore sizes, checks. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosità, volumi, conteggi, recuperi, dimensioni dei pori, controlli. Serve un progetto; selezionarne uno tra più</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7761,7 +7761,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show or hide what is known of a rod. Select one in the 3D view</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare o nascondere ciò che si sa di un'asta. Selezionarne una nella vista 3D</translation>
     </message>
 </context>
 <context>
@@ -7774,7 +7774,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Save the design as a job file, which the command line runs too. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Salvare il progetto come file di lavoro, che anche la riga di comando esegue. Serve un progetto; selezionarne uno tra più</translation>
     </message>
 </context>
 <context>
@@ -7787,7 +7787,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Cut the channels out of the envelope: scaffold, channels, porosity. Needs a design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagliare i canali dall'involucro: scaffold, canali, porosità. Serve un progetto; selezionarne uno tra più</translation>
     </message>
 </context>
 <context>
@@ -7800,7 +7800,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show rods or channels: two views of one wireframe. Needs a scaffold</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare aste o canali: due viste di un solo reticolo. Serve uno scaffold</translation>
     </message>
 </context>
 <context>
@@ -7813,7 +7813,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Write mesh, voxels or images of layers; sizes are shown first. Needs a voxel design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivere mesh, voxel o immagini degli strati; prima le dimensioni. Serve un progetto a voxel; selezionarne uno tra più</translation>
     </message>
 </context>
 <context>
@@ -7821,7 +7821,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Show or hide the layers of sample and design with their counts. Select a voxel design, or nothing for the last</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare o nascondere gli strati di campione e progetto con i conteggi. Selezionare un progetto a voxel, o nulla per l'ultimo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
@@ -7839,7 +7839,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design</source>
-        <translation type="unfinished"></translation>
+        <translation>Progettare voxel con le aree di fetta di un campione lungo X, Y e Z. Selezionare un corpo, un'analisi o un progetto a voxel</translation>
     </message>
 </context>
 <context>
@@ -7847,47 +7847,47 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Rods</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Slices</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fette</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Trabecula</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Trabecula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;tudy</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;tudio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula slices</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula fette</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula study</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula studio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula voxel</translation>
     </message>
 </context>
 </TS>

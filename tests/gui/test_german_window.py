@@ -18,7 +18,8 @@ from freecad_trabecula.core.parameters import PoreParameters
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.errors import ParameterError
 from freecad_trabecula.gui import language, panels, transactions
-from freecad_trabecula.gui.fields import NumberField, field_for
+from freecad_trabecula.gui.fields import NumberField
+from freecad_trabecula.gui.form import field_for
 from freecad_trabecula.gui.law_field import LawField
 from freecad_trabecula.gui.outcome import Estimate, porosity_text
 

@@ -6,10 +6,12 @@ from PySide import QtGui
 
 
 def menu_texts():
-    """Return the texts of our menu's entries, without mnemonics."""
+    """Return the texts of our menu's entries and of its submenus', without mnemonics."""
     bar = FreeCADGui.getMainWindow().menuBar()
-    menus = [action for action in bar.actions() if action.text().replace("&", "") == "Trabecula"]
-    return [entry.text().replace("&", "") for action in menus for entry in action.menu().actions() if entry.text()]
+    menus = [action.menu() for action in bar.actions() if action.text().replace("&", "") == "Trabecula"]
+    entries = [entry for menu in menus for entry in menu.actions()]
+    entries += [entry for one in entries if one.menu() for entry in one.menu().actions()]
+    return [entry.text().replace("&", "") for entry in entries if entry.text()]
 
 
 def label_texts(widget):
