@@ -230,6 +230,21 @@
         <translation>Abstand der Dreiecke von einem Volumenkörper; 0: wird gewählt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Drawn curve along X: place over the edge, share of the layer; none: the sample's</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Drawn curve along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Drawn curve along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>Edges dx, dy, dz of a voxel; one number makes a cube</source>
         <translation>Kanten dx, dy, dz eines Voxels; eine Zahl ergibt einen Würfel</translation>
@@ -238,6 +253,11 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Edges of the box for the random middle point (Eq. 3.1)</source>
         <translation>Kanten des Quaders für den zufälligen Mittelpunkt (Gl. 3.1)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Edges of the box of drawn curves, mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -283,6 +303,16 @@
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>Gap fill: rounds of closing</source>
         <translation>Lücken schließen: Anzahl der Durchgänge</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Given table alpha, lines (x, z); none: drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <source>Given table beta, lines (y, z); none: drawn</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -1753,6 +1783,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/examples.py"/>
+        <source>Specimen {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of plates</source>
         <translation type="unfinished"></translation>
@@ -1770,6 +1805,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>Voxels of drawn curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1880,8 +1920,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>a curve along {} must ask for some material, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>a curve along {} must have at least one point, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve must have at least one point, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>a curve's places along {} must lie in 0..1 of the edge, got {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2310,6 +2365,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>a sliced area along {} must not be larger than its layer, got {} of it at {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>a sliced area along {} must not be negative, got {} of it at {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a solid from a mesh must have its volume of {} mm3, got {} mm3</source>
         <translation type="unfinished"></translation>
@@ -2522,6 +2587,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>an estimate can be made for the mesh or the field engine, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/examples.py"/>
+        <source>an example must be one of {}, got {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2962,6 +3032,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>given tables need a strategy that fills layers from them ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>half of the void has spheres up to it</source>
         <translation type="unfinished"></translation>
@@ -3248,6 +3323,12 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>must not be larger than its layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must not be negative</source>
         <translation type="unfinished"></translation>
@@ -3335,6 +3416,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/scripts.py"/>
+        <source>of drawn curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3450,6 +3536,11 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>plots must be one of {}, none, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>points along {} must lie apart by at least {}, got {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3754,6 +3845,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
+        <source>table {} must have {} x {} cells for these targets, got {}: its tables were given for another sample or voxel size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>table {}: {}; {} sums or cells are wrong</source>
         <translation type="unfinished"></translation>
@@ -3858,6 +3954,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>the box of drawn curves must have three edges, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>the cap on {} must be at least {}, got {}: {} ask for {} voxels, and the layers along Z can give them {}</source>
         <translation type="unfinished"></translation>
@@ -3946,6 +4047,11 @@
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
+        <source>the edges of a drawn box must be above 0, got {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5134,6 +5240,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>{} must be made of curves to get others, it follows another sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be one number or three, got {}</source>
         <translation type="unfinished"></translation>
@@ -5207,8 +5318,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
-        <source>{} must have a sample, a source or a file, got neither</source>
+        <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
+        <source>{} must have a sample, a source, a file or drawn curves, got none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5886,6 +5997,11 @@
         <translation>Achsen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
         <translation>Blöcke halten Volumen und Flächen genau ein; glatt hält das Volumen ein</translation>
@@ -6038,6 +6154,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Contacts avoided</source>
         <translation>Vermiedene Kontakte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -6229,6 +6350,11 @@
         <translation>Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <source>From</source>
         <translation>Von</translation>
@@ -6244,6 +6370,16 @@
         <translation>Allen Flächen die Abstände und Ränder der gewählten geben</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Glossary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/qt.py"/>
+        <source>Glossary: what the words mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
         <source>Greatest value; at the end</source>
         <translation>Größter Wert; am Ende</translation>
@@ -6252,6 +6388,11 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Heat map</source>
         <translation>Häufigkeiten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/qt.py"/>
+        <source>Help: what can be done here</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -6403,6 +6544,11 @@
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>Not now: {}</source>
         <translation>Jetzt nicht: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Nothing was found.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6772,6 +6918,16 @@
         <translation>Streuung</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Search all pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Search: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
         <source>Second site</source>
         <translation>Zweite Stelle</translation>
@@ -7054,6 +7210,11 @@
         <location filename="../../freecad_trabecula/gui/transactions.py"/>
         <source>Trabecula</source>
         <translation>Trabecula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/help_dock.py"/>
+        <source>Trabecula help</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7674,6 +7835,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Help</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/help_commands.py"/>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/help_commands.py"/>
+        <source>Show or hide the help: tutorials, commands, files, the method, the glossary. Needs nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_LayerShapes</name>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
@@ -7846,6 +8020,11 @@
     <name>Workbench</name>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Rods</source>
         <translation>&amp;Stäbe</translation>
     </message>
@@ -7868,6 +8047,11 @@
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;tudy</source>
         <translation>&amp;Untersuchung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula help</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>

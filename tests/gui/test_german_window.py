@@ -8,9 +8,9 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 from window import WindowTest, type_into
-from words import choices_of, label_texts, menu_texts
+from words import choices_of, command_texts, label_texts
 
 from freecad_trabecula import make
 from freecad_trabecula.core.laws import KINDS, Law
@@ -37,10 +37,9 @@ class TextTest(WindowTest):
         self.assertEqual(language.decimal_point(), ",")
 
     def test_commands_have_german_texts_and_tooltips(self):
-        self.assertIn("Stäbe entwerfen", menu_texts())
-        self.assertIn("Voxel entwerfen", menu_texts())
-        tips = [action.toolTip() for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)]
-        self.assertTrue(any("Die Kanäle aus dem Hüllkörper schneiden" in tip for tip in tips))
+        self.assertEqual(command_texts("Trabecula_Design")[0], "Stäbe entwerfen")
+        self.assertEqual(command_texts("Trabecula_Voxels")[0], "Voxel entwerfen")
+        self.assertIn("Die Kanäle aus dem Hüllkörper schneiden", command_texts("Trabecula_Scaffold")[1])
 
     def test_words_that_a_module_translates_when_it_is_imported_are_german(self):
         from freecad_trabecula.gui import analysis_plots, voxel_form

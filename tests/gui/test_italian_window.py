@@ -6,9 +6,9 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 from window import WindowTest
-from words import label_texts, menu_texts
+from words import command_texts, label_texts
 
 from freecad_trabecula.gui import language, panels
 
@@ -23,9 +23,8 @@ class TextTest(WindowTest):
         self.assertEqual(language.decimal_point(), ",")
 
     def test_commands_have_italian_texts_and_tooltips(self):
-        self.assertIn("Progetta aste", menu_texts())
-        tips = [action.toolTip() for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)]
-        self.assertTrue(any("Tagliare i canali dall'involucro" in tip for tip in tips))
+        self.assertEqual(command_texts("Trabecula_Design")[0], "Progetta aste")
+        self.assertIn("Tagliare i canali dall'involucro", command_texts("Trabecula_Scaffold")[1])
 
     def test_the_design_panel_is_italian(self):
         panel = self.open_preset("case1")

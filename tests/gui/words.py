@@ -5,13 +5,10 @@ import FreeCADGui
 from PySide import QtGui
 
 
-def menu_texts():
-    """Return the texts of our menu's entries and of its submenus', without mnemonics."""
-    bar = FreeCADGui.getMainWindow().menuBar()
-    menus = [action.menu() for action in bar.actions() if action.text().replace("&", "") == "Trabecula"]
-    entries = [entry for menu in menus for entry in menu.actions()]
-    entries += [entry for one in entries if one.menu() for entry in one.menu().actions()]
-    return [entry.text().replace("&", "") for entry in entries if entry.text()]
+def command_texts(name):
+    """Return text and tooltip of one of our commands as menu and toolbar show them."""
+    action = FreeCADGui.Command.get(name).getAction()[0]
+    return action.text().replace("&", ""), action.toolTip()
 
 
 def label_texts(widget):
