@@ -7,7 +7,8 @@ By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_
 ``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
 ``estimate_voxel_design``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``, ``make_layer_shapes``.
-All as lines of Python: ``design_as_script``. In another process: ``write_task``, ``run_task``, ``take_results``.
+All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``. In another process:
+``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -45,6 +46,7 @@ from .features.makers import (
 from .features.network import rod_at
 from .features.scaffold import bodies_of
 from .features.scripts import design_as_script, named_body
+from .features.second_routes import found_routes
 from .features.tasks import run_task, take_results, write_task
 from .features.voxel_design import voxel_design_of
 from .features.voxel_makers import (
@@ -74,6 +76,7 @@ __all__ = [
     "estimate_voxel_design",
     "exact_slices",
     "export",
+    "found_routes",
     "job_of",
     "make_analysis",
     "make_box",

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, replace
-from typing import Iterator, List, NamedTuple, Sequence, Tuple
+from typing import Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -29,6 +30,12 @@ RAYS_PER_ROOT = 16  # rays per direction and root of the number of rods: 1e-4 of
 FIELD_RAYS = 100  # per direction, where cells blunt the volume more than so few rays do
 RAY_ERRORS = 5.0  # standard errors by which the rays' volume may differ
 NOTED = 0.01  # of the envelope: loose pieces or filled voids above this share are pointed out
+
+
+#: A check as ``str`` writes it.
+_CHECK = re.compile(
+    r"(?P<name>.+?): (?P<value>\S+) against (?P<second>\S+), (?P<difference>\S+) apart \(at most (?P<tolerance>\S+)\)$"
+)
 
 
 class Check(NamedTuple):
@@ -55,6 +62,15 @@ class Check(NamedTuple):
     def ok(self) -> bool:
         """True if they agree; false also where one is not a number."""
         return bool(self.difference <= self.tolerance)
+
+    @classmethod
+    def from_text(cls, text: str) -> Optional[Check]:
+        """Return the check that ``str`` wrote, with the digits that are there; None if the text is none."""
+        found = _CHECK.match(text)
+        try:
+            return cls(found["name"], *(float(found[key]) for key in cls._fields[1:])) if found else None
+        except ValueError:
+            return None
 
     def __str__(self) -> str:
         apart = f"{self.difference:.2g} apart (at most {self.tolerance:.2g})"

@@ -22,9 +22,10 @@ from .fields import row_widget
 from .language import filled, in_words
 from .object_dock import ObjectDock
 from .qt import help_buttons, icon
-from .results_panel import fill, table
 from .slice_view import Slice, SliceView, plane_box, plane_corners
+from .tables import fill, let_grow, table
 from .transactions import told
+from .why import WhyButton, WhyTable
 
 translate = FreeCAD.Qt.translate
 _NAME = "TrabeculaAnalysisDock"
@@ -49,6 +50,7 @@ class AnalysisDock(ObjectDock):
         self.axes = row_widget()
         self.charts = {kind: Chart() for kind, _ in KINDS}
         self.figures = table(4)
+        self.why, self.why_plot = WhyTable(self.figures, self._found), WhyButton(self._keys, self._found)
         self.figures.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
         self.view, self.number = SliceView(), QtGui.QSpinBox()
         self.setWidget(self._make_page())
@@ -59,7 +61,7 @@ class AnalysisDock(ObjectDock):
             self.charts[kind].pointed.connect(self._point)
             self.tabs.addTab(self.charts[kind], words)
         self.tabs.addTab(self.figures, translate("Trabecula", "Numbers"))
-        self.tabs.setCornerWidget(help_buttons("commands/Plots.md"))
+        self.tabs.setCornerWidget(help_buttons("commands/Plots.md", self.why_plot))
         self.tabs.currentChanged.connect(lambda *_: self._show_page())
         self.number.setPrefix(translate("Trabecula", "slice "))
         self.number.valueChanged.connect(lambda value: self.show_plane(int(value)))
@@ -165,14 +167,24 @@ class AnalysisDock(ObjectDock):
             head, rows = plots.passport_of(self._comparison, list(self._shown.values()))
         elif self._shown:
             head, rows = plots.figures_of(self.first())
-        self.figures.setColumnCount(len(head))
-        fill(self.figures, head, [[row.words, *row.values] for row in rows])
+        self.figures.setColumnCount(len(head) + 1)
+        fill(self.figures, [*head, ""], [[row.words, *row.values] for row in rows])
+        self.why.set_keys([row.key for row in rows])
         for line, row in enumerate(rows):
             self.figures.item(line, 0).setToolTip(row.tip or row.words)
         self.figures.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Interactive)
         self.figures.setColumnWidth(0, _WORDS)
-        self.figures.setMinimumHeight(0)
-        self.figures.setMaximumHeight(16777215)  # the dock's own height, not that of all rows
+        let_grow(self.figures)
+
+    def _keys(self) -> Sequence[str]:
+        """Which numbers the open diagram shows; the table has signs of its own."""
+        number = self.tabs.currentIndex()
+        if number >= len(KINDS) or not self._shown:
+            return ()
+        return (plots.COMPARED_KEYS if self._comparison is not None else plots.KEYS)[KINDS[number][0]]
+
+    def _found(self, key: str) -> Sequence[str]:
+        return [text for obj in self.ticked() for text in make.found_routes(obj, key)]
 
     def _diagram(self, kind: str) -> Diagram:
         if not self._shown:

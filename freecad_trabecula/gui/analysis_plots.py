@@ -14,6 +14,7 @@ from ..core.analysis.analysis import Analysis
 from ..core.analysis.comparison import Comparison, SharedAxis, compare, range_text
 from ..core.analysis.passport import passport
 from ..core.analysis.plots import COLOURS, area_edges, coordinate_edges
+from ..core.explanations.registry import TOTAL_KEYS, measure_key
 from .chart import Counts, Curve, Diagram
 from .figures import with_powers
 from .language import in_words, local_number, with_decimals
@@ -29,6 +30,15 @@ KINDS = (
     ("areas", translate("Trabecula", "Areas")),
     ("heat", translate("Trabecula", "Heat map")),
 )
+#: Which numbers each kind of diagram shows: of one analysis, of several.
+KEYS = {
+    "sliced_area": ("slices.sliced_area",),
+    "porosity": ("slices.porosity",),
+    "contours": ("slices.contours", "slices.outer_contours"),
+    "areas": ("slices.trabecular_area", "slices.rods"),
+    "heat": ("slices.trabecular_area",),
+}
+COMPARED_KEYS = dict(KEYS, heat=("comparison.mean", "slices.sliced_area"))
 _LABELS = {
     "sliced_area": (translate("Trabecula", "sliced area, mm²"), 1.0),
     "porosity": (translate("Trabecula", "porosity, %"), 100.0),
@@ -37,10 +47,11 @@ _LABELS = {
 
 
 class Row(NamedTuple):
-    """A line of a table: what, and values beside it; ``tip`` says more."""
+    """A line of a table: what, values beside it, the key of their explanation; ``tip`` says more."""
 
     words: str
     values: Sequence[str]
+    key: str
     tip: str = ""
 
 
@@ -124,24 +135,41 @@ def figures_of(analysis: Analysis) -> Tuple[List[str], List[Row]]:
     axes = list(analysis.profiles)
     summaries = [analysis.summary(axis) for axis in axes]
     words = (
-        (translate("Trabecula", "Slices"), lambda s: str(s.slices)),
-        (translate("Trabecula", "Spoilt slices"), lambda s: str(s.spoilt_slices)),
-        (translate("Trabecula", "Rods"), lambda s: str(s.rods)),
-        (translate("Trabecula", "Plates"), lambda s: str(s.plates)),
-        (translate("Trabecula", "Trabecular area, mm²"), lambda s: _range_text(s.trabecular_area)),
-        (translate("Trabecula", "Sliced area, mm²"), lambda s: _range_text(s.sliced_area)),
-        (translate("Trabecula", "Porosity, %"), lambda s: _range_text((100 * s.porosity[0], 100 * s.porosity[1]))),
-        (translate("Trabecula", "Contours"), lambda s: _range_text(s.contours)),
-        (translate("Trabecula", "Outer contours"), lambda s: _range_text(s.outer_contours)),
-        (translate("Trabecula", "Volume by slices, mm³"), lambda s: number_text(s.volume)),
-        (translate("Trabecula", "Mean bone fraction, %"), lambda s: number_text(100 * s.mean_bone_fraction)),
+        ("slices.slices", translate("Trabecula", "Slices"), lambda s: str(s.slices)),
+        ("slices.spoilt_slices", translate("Trabecula", "Spoilt slices"), lambda s: str(s.spoilt_slices)),
+        ("slices.rods", translate("Trabecula", "Rods"), lambda s: str(s.rods)),
+        ("slices.plates", translate("Trabecula", "Plates"), lambda s: str(s.plates)),
+        (
+            "slices.trabecular_area",
+            translate("Trabecula", "Trabecular area, mm²"),
+            lambda s: _range_text(s.trabecular_area),
+        ),
+        ("slices.sliced_area", translate("Trabecula", "Sliced area, mm²"), lambda s: _range_text(s.sliced_area)),
+        (
+            "slices.porosity",
+            translate("Trabecula", "Porosity, %"),
+            lambda s: _range_text((100 * s.porosity[0], 100 * s.porosity[1])),
+        ),
+        ("slices.contours", translate("Trabecula", "Contours"), lambda s: _range_text(s.contours)),
+        ("slices.outer_contours", translate("Trabecula", "Outer contours"), lambda s: _range_text(s.outer_contours)),
+        ("slices.volume", translate("Trabecula", "Volume by slices, mm³"), lambda s: number_text(s.volume)),
+        (
+            "slices.bone_fraction",
+            translate("Trabecula", "Mean bone fraction, %"),
+            lambda s: number_text(100 * s.mean_bone_fraction),
+        ),
     )
-    rows = [Row(name, [text(one) for one in summaries]) for name, text in words]
+    rows = [Row(name, [text(one) for one in summaries], key) for key, name, text in words]
     whole = analysis.morphometry
     for one in whole.measures if whole is not None else ():
         words = f"{one.symbol}, {one.unit}" if one.unit not in ("", "1") else one.symbol
         rows.append(
-            Row(words, [number_text(one.value)], f"{in_words(one.name)}: {in_words(one.definition)} ({one.source})")
+            Row(
+                words,
+                [number_text(one.value)],
+                measure_key(one.symbol),
+                f"{in_words(one.name)}: {in_words(one.definition)} ({one.source})",
+            )
         )
     return [translate("Trabecula", "Quantity"), *(title(axis) for axis in axes)], rows
 
@@ -216,20 +244,20 @@ def passport_of(comparison: Comparison, analyses: Sequence[Analysis]) -> Tuple[L
     axes = list(comparison.axes)
     count = len(comparison.names)
     rows = []
-    for words, *cells in lines:
+    for (words, *cells), key in zip(lines, TOTAL_KEYS):
         for number, name in enumerate(comparison.names):
-            rows.append(
-                Row(f"{with_powers(in_words(words))}: {name}", [with_decimals(one) for one in cells[number::count]])
-            )
+            values = [with_decimals(one) for one in cells[number::count]]
+            rows.append(Row(f"{with_powers(in_words(words))}: {name}", values, key))
     for number in range(1, count):
         found = passport(analyses[0], analyses[number])
         tail = f", {comparison.names[number]}" if count > 2 else ""
         whole = {(score.of, score.symbol): score for score in found.whole}
         for first in found.axes[axes[0]]:
-            key = (first.of, first.symbol)
-            values = [_score(found.axes[axis], key) for axis in axes]
-            values.append(number_text(whole[key].value) if key in whole else "")
-            rows.append(Row(f"{in_words(first.of)}: {first.symbol}{tail}", values, in_words(first.definition)))
+            pair = (first.of, first.symbol)
+            values = [_score(found.axes[axis], pair) for axis in axes]
+            values.append(number_text(whole[pair].value) if pair in whole else "")
+            words, key = f"{in_words(first.of)}: {first.symbol}{tail}", f"passport.{first.symbol}"
+            rows.append(Row(words, values, key, in_words(first.definition)))
     return [translate("Trabecula", "Quantity"), *(title(axis) for axis in axes), translate("Trabecula", "Whole")], rows
 
 

@@ -9,22 +9,22 @@ from typing import Any, List, NamedTuple
 import FreeCAD
 
 from .. import make
+from ..core.bodies import Check
 from ..core.report import manual_seconds
 from ..features.network import MOST_DIFFERENCE
 from ..features.relations import products_of
 from .language import choice, filled, in_words, local_number
 
 translate = FreeCAD.Qt.translate
-#: A check as ``core.bodies.Check`` writes it.
 _POWER = re.compile(r"\bmm\^?([23])\b")
-_CHECK = re.compile(r"(?P<name>.+?): (?P<found>.*, (?P<apart>\S+) apart \(at most (?P<most>\S+)\))$")
 
 
 class Figure(NamedTuple):
-    """A quantity and its value; ``tip`` says more."""
+    """A quantity and its value, the key of its explanation (none for what is no number); ``tip`` says more."""
 
     name: str
     value: str
+    key: str = ""
     tip: str = ""
 
 
@@ -73,11 +73,15 @@ def with_powers(text: str) -> str:
 
 def figures_of(wireframe: Any) -> List[Figure]:
     """Return the figures of a design and of the bodies made of it."""
-    rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods)), *manual_figures(wireframe)]
+    rows = [Figure(translate("Trabecula", "Rods"), str(wireframe.Rods), "design.rods"), *manual_figures(wireframe)]
     for one in products_of(wireframe):
         if hasattr(one, "RodVolume"):
             rows.append(
-                Figure(translate("Trabecula", "Sum of the rods, mm³"), local_number(one.RodVolume.Value, ".3f"))
+                Figure(
+                    translate("Trabecula", "Sum of the rods, mm³"),
+                    local_number(one.RodVolume.Value, ".3f"),
+                    "design.rod_volume",
+                )
             )
         elif one.Proxy.KIND == "solid" and one.ScaffoldVolume.Value:
             rows += solid_figures(one)
@@ -93,7 +97,7 @@ def manual_figures(wireframe: Any) -> List[Figure]:
     parameters, rods = wireframe.Proxy.parameters(wireframe), make.wireframe_of(wireframe)
     text = filled(translate("Trabecula", "{:.1f} h"), manual_seconds(parameters, rods) / 3600)
     tip = translate("Trabecula", "30 to 75 s a rod, by curvature and sections (thesis 2.3.3)")
-    return [Figure(translate("Trabecula", "Rods by hand (thesis' estimate)"), text, tip)]
+    return [Figure(translate("Trabecula", "Rods by hand (thesis' estimate)"), text, "design.manual_time", tip)]
 
 
 def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:
@@ -101,40 +105,81 @@ def scaffold_figures(scaffold: Any, rods: int) -> List[Figure]:
     counted = translate("Trabecula", "{} ({:.3g} mm³)")
     loose, voids = scaffold.LooseVolume.Value, scaffold.VoidVolume.Value
     return [
-        Figure(translate("Trabecula", "Porosity of the scaffold (Eq. 2.2)"), _text(scaffold.Porosity, ".3f", "%")),
+        Figure(
+            translate("Trabecula", "Porosity of the scaffold (Eq. 2.2)"),
+            number_with_unit(scaffold.Porosity, ".3f", "%"),
+            "design.porosity",
+        ),
         Figure(
             translate("Trabecula", "Union of the rods in the envelope"),
-            _text(scaffold.UnionPorosity, ".3f", "%"),
+            number_with_unit(scaffold.UnionPorosity, ".3f", "%"),
+            "design.union_porosity",
         ),
-        Figure(translate("Trabecula", "Plain sum of the rods"), _text(scaffold.SumPorosity, ".3f", "%")),
-        Figure(translate("Trabecula", "Envelope"), _text(scaffold.EnvelopeVolume.Value, ".3f", "mm³")),
-        Figure(translate("Trabecula", "Scaffold"), _text(scaffold.ScaffoldVolume.Value, ".3f", "mm³")),
-        Figure(translate("Trabecula", "Channels"), _text(scaffold.ChannelVolume.Value, ".3f", "mm³")),
-        Figure(translate("Trabecula", "Loose pieces"), filled(counted, scaffold.LoosePieces, loose)),
-        Figure(translate("Trabecula", "Voids that no opening reaches"), filled(counted, scaffold.Voids, voids)),
-        Figure(translate("Trabecula", "Connected pieces of the scaffold"), str(scaffold.Pieces)),
-        Figure(translate("Trabecula", "Connected channels"), str(scaffold.Openings)),
-        Figure(translate("Trabecula", "Engine"), choice(scaffold.EngineUsed), in_words(scaffold.Reason)),
-        Figure(translate("Trabecula", "Time"), _text(scaffold.Seconds, ".1f", "s")),
-        Figure(translate("Trabecula", "Time for a rod"), _text(scaffold.Seconds / max(rods, 1), ".3f", "s")),
+        Figure(
+            translate("Trabecula", "Plain sum of the rods"),
+            number_with_unit(scaffold.SumPorosity, ".3f", "%"),
+            "design.sum_porosity",
+        ),
+        Figure(
+            translate("Trabecula", "Envelope"),
+            number_with_unit(scaffold.EnvelopeVolume.Value, ".3f", "mm³"),
+            "design.envelope_volume",
+        ),
+        Figure(
+            translate("Trabecula", "Scaffold"),
+            number_with_unit(scaffold.ScaffoldVolume.Value, ".3f", "mm³"),
+            "design.scaffold_volume",
+        ),
+        Figure(
+            translate("Trabecula", "Channels"),
+            number_with_unit(scaffold.ChannelVolume.Value, ".3f", "mm³"),
+            "design.channel_volume",
+        ),
+        Figure(translate("Trabecula", "Loose pieces"), filled(counted, scaffold.LoosePieces, loose), "design.loose"),
+        Figure(
+            translate("Trabecula", "Voids that no opening reaches"),
+            filled(counted, scaffold.Voids, voids),
+            "design.voids",
+        ),
+        Figure(translate("Trabecula", "Connected pieces of the scaffold"), str(scaffold.Pieces), "design.pieces"),
+        Figure(translate("Trabecula", "Connected channels"), str(scaffold.Openings), "design.openings"),
+        Figure(translate("Trabecula", "Engine"), choice(scaffold.EngineUsed), tip=in_words(scaffold.Reason)),
+        Figure(translate("Trabecula", "Time"), number_with_unit(scaffold.Seconds, ".1f", "s"), "design.seconds"),
+        Figure(
+            translate("Trabecula", "Time for a rod"),
+            number_with_unit(scaffold.Seconds / max(rods, 1), ".3f", "s"),
+            "design.seconds_per_rod",
+        ),
     ]
 
 
-def _text(value: float, form: str, unit: str) -> str:
+def number_with_unit(value: float, form: str, unit: str) -> str:
+    """Return a number with the decimal sign of the window, and its unit."""
     return f"{local_number(value, form)} {unit}"
 
 
 def solid_figures(solid: Any) -> List[Figure]:
     """Return the figures of a scaffold as a solid."""
     return [
-        Figure(translate("Trabecula", "STEP scaffold: porosity"), _text(solid.Porosity, ".3f", "%")),
-        Figure(translate("Trabecula", "STEP scaffold: volume"), _text(solid.ScaffoldVolume.Value, ".3f", "mm³")),
+        Figure(
+            translate("Trabecula", "STEP scaffold: porosity"),
+            number_with_unit(solid.Porosity, ".3f", "%"),
+            "design.solid_porosity",
+        ),
+        Figure(
+            translate("Trabecula", "STEP scaffold: volume"),
+            number_with_unit(solid.ScaffoldVolume.Value, ".3f", "mm³"),
+            "design.solid_volume",
+        ),
         Figure(
             translate("Trabecula", "STEP scaffold: rods cut"),
             f"{solid.RodsCut} / {solid.RodsWanted}",
+            "design.solid_rods",
             in_words(solid.Reason),
         ),
-        Figure(translate("Trabecula", "STEP scaffold: time"), _text(solid.Seconds, ".1f", "s")),
+        Figure(
+            translate("Trabecula", "STEP scaffold: time"), number_with_unit(solid.Seconds, ".1f", "s"), "design.seconds"
+        ),
     ]
 
 
@@ -175,11 +220,8 @@ def checked(text: str) -> Checked:
     >>> checked("a and b, mm3: 3 against 3.1, 0.03 apart (at most 0.1)")
     Checked(name='a and b, mm³', ok=True, found='3 against 3.1, 0.03 apart (at most 0.1)')
     """
-    found = _CHECK.match(text)
+    found = Check.from_text(text)
     if found is None:
         return Checked(with_powers(in_words(text)), False, "")
-    try:
-        ok = float(found["apart"]) <= float(found["most"])
-    except ValueError:
-        ok = False
-    return Checked(with_powers(in_words(found["name"])), ok, with_powers(in_words(found["found"])))
+    rest = text[len(found.name) + 2 :]
+    return Checked(with_powers(in_words(found.name)), found.ok, with_powers(in_words(rest)))

@@ -147,12 +147,14 @@ class Wishes(QtCore.QObject):
 WISHES = Wishes()
 
 
-def help_buttons(page: str) -> Any:
-    """Return two small buttons: a page of the docs, and the glossary."""
+def help_buttons(page: str, *before: Any) -> Any:
+    """Return two small buttons, behind others: a page of the docs, and the glossary."""
     widget = QtGui.QWidget()
     row = QtGui.QHBoxLayout(widget)
     row.setContentsMargins(0, 0, 0, 0)
     row.setSpacing(0)
+    for one in before:
+        row.addWidget(one)
     for picture, tip, name in (
         ("Trabecula_glossary", translate("Trabecula", "Glossary: what the words mean"), GLOSSARY),
         ("Trabecula_help", translate("Trabecula", "Help: what can be done here"), page),

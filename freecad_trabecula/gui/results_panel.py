@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .. import make
 from ..core.couplings import CouplingRow
 from ..core.wireframe import Recovery
 from ..features.base import records_of
@@ -22,12 +23,13 @@ from .language import in_words, local_number
 from .looks import look_of
 from .outcome import GREEN, ORANGE, RED
 from .qt import Buttons, PanelForm, flags_of, icon, invoke_later, widen_dock
+from .tables import fill, table
 from .task_panels import is_free, show_panel, wireframes
 from .transactions import told
+from .why import WhyButton, WhyTable
 
 translate = FreeCAD.Qt.translate
 WIDTH = 420  # pixels that the form needs
-_ROW, _MOST_ROWS = 20, 22  # pixels of a table's row, rows that are seen at once
 
 
 class ResultsPanel:
@@ -38,7 +40,8 @@ class ResultsPanel:
         self._document = wireframe.Document.Name
         self.headline, self.notes = QtGui.QLabel(), QtGui.QLabel()
         self.notes.setWordWrap(True)
-        self.figures, self.couplings, self.recoveries = table(2), table(4), table(4)
+        self.figures, self.couplings, self.recoveries = table(3), table(5), table(5)
+        self.why = [WhyTable(one, self._found) for one in (self.figures, self.couplings, self.recoveries)]
         self.checks = QtGui.QTextBrowser()
         self.checks.setMinimumHeight(330)
         self.histogram = Histogram(translate("Trabecula", "Size of the end sections, mm"))
@@ -54,7 +57,7 @@ class ResultsPanel:
         for title, picture, page in (
             (translate("Trabecula", "Figures"), "results", self.figures),
             (translate("Trabecula", "Checks"), "scaffold", self.checks),
-            (translate("Trabecula", "Pore sizes"), "pore", self.histogram),
+            (translate("Trabecula", "Pore sizes"), "pore", self._sizes_page()),
             (translate("Trabecula", "Couplings"), "coupling", self.couplings),
             (translate("Trabecula", "Recoveries"), "path", self.recoveries),
         ):
@@ -71,6 +74,17 @@ class ResultsPanel:
             column.addWidget(widget)
         return form
 
+    def _sizes_page(self) -> Any:
+        page = QtGui.QWidget()
+        column = QtGui.QVBoxLayout(page)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.histogram)
+        column.addWidget(WhyButton(lambda: ["design.pore_size", "design.pore_area"]), 0, QtCore.Qt.AlignRight)
+        return page
+
+    def _found(self, key: str) -> Sequence[str]:
+        return make.found_routes(self.wireframe, key)
+
     def _export(self) -> None:
         with told():
             export_design(self.wireframe)
@@ -85,8 +99,10 @@ class ResultsPanel:
         self.notes.setText(f'<span style="color:{ORANGE}">' + "<br>".join(map(escape, notes)) + "</span>")
         self.notes.setVisible(bool(notes))
         self._offer_bodies()
-        names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"))
-        fill(self.figures, names, [row[:2] for row in figures_of(obj)])
+        names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"), "")
+        figures = figures_of(obj)
+        fill(self.figures, names, [row[:2] for row in figures])
+        self.why[0].set_keys([row.key for row in figures])
         rows = checks_of(obj)
         self.checks.setHtml("".join(check_text(row) for row in rows))
         good = sum(row.ok for row in rows)
@@ -99,16 +115,18 @@ class ResultsPanel:
 
     def _show_couplings(self, rows: Sequence[CouplingRow]) -> None:
         titles = (translate("Trabecula", "Faces"), translate("Trabecula", "Available"),
-                  translate("Trabecula", "Rods"), translate("Trabecula", "Left"))  # fmt: skip
+                  translate("Trabecula", "Rods"), translate("Trabecula", "Left"), "")  # fmt: skip
         fill(self.couplings, titles, [(
             f"{r.first} – {r.second}", f"{r.available_first} · {r.available_second}", str(r.rods),
             f"{r.left_first} · {r.left_second}") for r in rows])  # fmt: skip
+        self.why[1].set_keys(["design.available design.rods design.left"] * len(rows))
         self.sections.set_summary(3, str(len(rows)))
 
     def _show_recoveries(self, mended: Sequence[Recovery]) -> None:
         titles = (translate("Trabecula", "Rod"), translate("Trabecula", "Fault"),
-                  translate("Trabecula", "Remedy"), translate("Trabecula", "Attempts"))  # fmt: skip
+                  translate("Trabecula", "Remedy"), translate("Trabecula", "Attempts"), "")  # fmt: skip
         fill(self.recoveries, titles, [(r.rod, in_words(r.fault), in_words(r.remedy), str(r.attempts)) for r in mended])
+        self.why[2].set_keys(["design.attempts"] * len(mended))
         self.sections.set_summary(4, str(len(mended)) if mended else translate("Trabecula", "none"))
 
     def _offer_bodies(self) -> None:
@@ -156,37 +174,6 @@ class ResultsPanel:
         if self._open:
             self._open = False
             FreeCAD.removeDocumentObserver(self)
-
-
-def table(columns: int) -> Any:
-    """Return a table to be read."""
-    widget = QtGui.QTableWidget(0, columns)
-    widget.verticalHeader().hide()
-    widget.verticalHeader().setDefaultSectionSize(_ROW)
-    header = widget.horizontalHeader()
-    header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
-    header.setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
-    widget.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-    widget.setSelectionMode(QtGui.QAbstractItemView.NoSelection)
-    widget.setTextElideMode(QtCore.Qt.ElideRight)
-    widget.setWordWrap(False)
-    widget.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAsNeeded)
-    return widget
-
-
-def fill(widget: Any, names: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Show rows of texts in a table."""
-    widget.setHorizontalHeaderLabels(list(names))
-    widget.setRowCount(len(rows))
-    for number, row in enumerate(rows):
-        for column, text in enumerate(row):
-            item = QtGui.QTableWidgetItem(text)
-            item.setToolTip(text)
-            if column:
-                item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-            widget.setItem(number, column, item)
-    height = widget.horizontalHeader().sizeHint().height() + (len(rows) + 1) * _ROW
-    widget.setFixedHeight(min(height, _MOST_ROWS * _ROW))
 
 
 def check_text(row: Checked) -> str:

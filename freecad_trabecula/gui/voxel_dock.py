@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, List, Optional, Set, Tuple
+from typing import Any, List, Optional, Sequence, Set, Tuple
 
 import FreeCAD
 import numpy as np
@@ -26,7 +26,10 @@ from .object_dock import ObjectDock
 from .qt import help_buttons
 from .recomputing import of_window
 from .slice_view import plane_corners
-from .voxel_layers import DESIGN, KINDS, SAMPLE, Layers, layer_of, pixel_of
+from .tables import fill, let_grow, table
+from .voxel_figures import figures_of
+from .voxel_layers import DESIGN, KEYS, KINDS, SAMPLE, Layers, layer_of, pixel_of
+from .why import WhyButton, WhyTable
 
 translate = FreeCAD.Qt.translate
 KIND = "Trabecula::VoxelDesign"
@@ -46,6 +49,8 @@ class VoxelDock(ObjectDock):
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.sample, self.design = LayerView(SAMPLE), LayerView(DESIGN)
         self.charts = {kind: Chart() for kind, _ in KINDS}
+        self.figures = table(3)
+        self.why, self.why_plot = WhyTable(self.figures, self._found), WhyButton(self._keys, self._found)
         self.tabs = QtGui.QTabWidget()
         self.axes = [QtGui.QRadioButton(axis.upper()) for axis in AXES]
         self.axes[self.axis].setChecked(True)
@@ -62,7 +67,8 @@ class VoxelDock(ObjectDock):
         for kind, words in KINDS:
             self.charts[kind].pointed.connect(self._point)
             self.tabs.addTab(self.charts[kind], words)
-        self.tabs.setCornerWidget(help_buttons("commands/VoxelLayers.md"))
+        self.tabs.addTab(self.figures, translate("Trabecula", "Numbers"))
+        self.tabs.setCornerWidget(help_buttons("commands/VoxelLayers.md", self.why_plot))
         pictures, bar, left = QtGui.QSplitter(), row_widget(), QtGui.QWidget()
         for view in (self.sample, self.design):
             pictures.addWidget(view)
@@ -170,7 +176,22 @@ class VoxelDock(ObjectDock):
             return translate("Trabecula", "The sample is being worked out …")
         return translate("Trabecula", "Profiles have no picture")
 
+    def _keys(self) -> Sequence[str]:
+        """Which numbers the open diagram shows; the table has signs of its own."""
+        number = self.tabs.currentIndex()
+        return KEYS[KINDS[number][0]] if number < len(KINDS) and self.layers is not None else ()
+
+    def _found(self, key: str) -> Sequence[str]:
+        return make.found_routes(self.chosen(), key) if self.chosen() is not None else ()
+
     def _show_chart(self) -> None:
+        if self.tabs.currentIndex() == len(KINDS):
+            rows = figures_of(self.chosen()) if self.chosen() is not None else []
+            names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"), "")
+            fill(self.figures, names, [row[:2] for row in rows])
+            let_grow(self.figures)
+            self.why.set_keys([row.key for row in rows])
+            return
         kind = KINDS[self.tabs.currentIndex()][0]
         self.charts[kind].show_diagram(
             self.layers.diagram(kind, self.axis) if self.layers is not None else Diagram("", "")

@@ -27,6 +27,14 @@ KINDS = (
 )
 
 
+#: Which numbers each kind of diagram shows.
+KEYS = {
+    "voxels": ("voxels.made", "voxels.asked"),
+    "areas": ("slices.sliced_area", "voxels.asked"),
+    "trabeculae": ("voxels.trabeculae",),
+}
+
+
 def layer_of(voxels: np.ndarray, axis: int, number: int) -> np.ndarray:
     """Return a layer across X, Y or Z (0, 1, 2) of voxels (P, M, N): rows along the later of the other axes.
 
