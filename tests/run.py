@@ -29,6 +29,7 @@ PARTS = {
     "core": "plain",
     "shell": "plain",
     "examples": "plain",
+    "release": "plain",
     "geometry": "document",
     "features": "document",
     "gui": "window",

@@ -12,7 +12,7 @@ from typing import NamedTuple, Tuple
 
 import numpy as np
 
-from ...errors import DependencyError
+from ..labelling import scipy_ndimage
 from ..progress import Progress, silent
 
 _LAYERS = 16  # of voxels at once
@@ -110,11 +110,7 @@ def parts_and_cavities(solid: np.ndarray) -> Tuple[int, int]:
     DependencyError
         If scipy is missing.
     """
-    try:
-        from scipy import ndimage
-    except ImportError as error:
-        raise DependencyError("parts of voxels are counted by scipy: pip install scipy") from error
-
+    ndimage = scipy_ndimage()
     parts = ndimage.label(solid, np.ones((3, 3, 3), bool))[1]
     labels, pieces = ndimage.label(~solid)
     border = np.zeros(pieces + 1, bool)

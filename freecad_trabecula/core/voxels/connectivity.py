@@ -14,6 +14,8 @@ from typing import Optional
 
 import numpy as np
 
+from ..labelling import scipy_ndimage
+
 #: Steps (z, y, x) to the neighbours by a face, an edge, a corner: bits 0-5, 6-17 and 18-25 of a neighbour code.
 FACES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 EDGES = tuple(s for s in product((-1, 0, 1), repeat=3) if sum(map(abs, s)) == 2)
@@ -132,7 +134,7 @@ def parts(solid: np.ndarray) -> tuple:
     sizes : ndarray of shape (parts + 1,), int64
         Voxels of each label; ``sizes[0]`` is 0.
     """
-    from scipy import ndimage
+    ndimage = scipy_ndimage()
 
     labels, count = ndimage.label(solid)
     return labels, _sizes(labels, count)
@@ -156,7 +158,7 @@ def closed_cavities(solid: np.ndarray, mask: Optional[np.ndarray] = None) -> tup
     mask : ndarray of shape (P, M, N), bool, optional
         Where solid may be; void that touches the outside of the mask or of the box is open.
     """
-    from scipy import ndimage
+    ndimage = scipy_ndimage()
 
     labels, count = ndimage.label(~solid)
     is_open = np.zeros(count + 1, bool)

@@ -13,6 +13,7 @@ from typing import List, Optional, Sequence, Tuple
 import numpy as np
 
 from ...errors import ExactnessError
+from ..labelling import scipy_ndimage
 from ..progress import Progress, silent
 from ..streams import mix
 from .connectivity import Solid
@@ -326,7 +327,7 @@ class ExactMoves:
 
     def _reach(self, axis: int, number: int) -> bool:
         """Grow a path by faces from the nearest solid to a layer that touches none; tell if it grew."""
-        from scipy import ndimage
+        ndimage = scipy_ndimage()
 
         voxels = self.solid.voxels
         index, height = self._layer(axis, number)

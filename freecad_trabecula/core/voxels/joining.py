@@ -11,6 +11,7 @@ from typing import List, Sequence, Tuple
 import numpy as np
 
 from ...errors import ExactnessError
+from ..labelling import scipy_ndimage
 from ..progress import Progress, silent
 from .connectivity import FACES, closed_cavities, parts
 from .plane_offsets import FORBIDDEN, newton_offsets, polished, solid_of
@@ -98,7 +99,7 @@ def _join_islands(
     solid: np.ndarray, mask: np.ndarray, labels: np.ndarray, islands: np.ndarray, main: int, bar: np.ndarray
 ) -> None:
     """Draw a bar from every island but the main one to its nearest neighbour that is worth joining."""
-    from scipy import ndimage
+    ndimage = scipy_ndimage()
 
     is_worth = np.zeros(int(labels.max()) + 1, bool)
     is_worth[islands] = True
@@ -112,7 +113,7 @@ def _join_islands(
 
 def _nearest_ends(labels: np.ndarray, island: int, is_worth: np.ndarray, box: tuple) -> list:
     """Return [(place on the island, nearest place on another)], or [] if it is alone; places are (z, y, x)."""
-    from scipy import ndimage
+    ndimage = scipy_ndimage()
 
     margin = _FIRST_MARGIN
     while True:

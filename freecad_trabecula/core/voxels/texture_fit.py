@@ -18,6 +18,7 @@ from typing import List, Optional
 import numpy as np
 
 from ...errors import ParameterError
+from ..labelling import scipy_ndimage
 from .plane_offsets import layer_sums, newton_offsets, solid_of
 from .texture import Texture, trabecular_field
 
@@ -53,7 +54,7 @@ def crossing_tensor(solid: np.ndarray) -> np.ndarray:
 
 def trabecula_area(solid: np.ndarray) -> float:
     """Return the area in voxels of the trabecula that a solid voxel lies in, on average over voxels and three axes."""
-    from scipy import ndimage
+    ndimage = scipy_ndimage()
 
     means = []
     for axis in range(3):

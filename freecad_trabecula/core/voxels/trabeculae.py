@@ -14,6 +14,7 @@ from typing import List, Optional, Sequence, Tuple
 import numpy as np
 
 from ...errors import ParameterError
+from ..labelling import scipy_ndimage
 from .connectivity import EDGES, FACES, Solid, planar_groups
 from .exact_moves import ExactMoves
 from .targets import Targets
@@ -79,7 +80,7 @@ def _plane_structure(axis: int, corners: bool) -> np.ndarray:
 
 
 def _counts_along(voxels: np.ndarray, axis: int) -> np.ndarray:
-    from scipy import ndimage
+    ndimage = scipy_ndimage()
 
     layers = np.ascontiguousarray(np.moveaxis(voxels, axis, 0))
     labels, _ = ndimage.label(layers, _plane_structure(0, False))
@@ -92,7 +93,7 @@ class _Planes:
     """Parts of solid and of void in all layers along one axis, and what flips would do to their number."""
 
     def __init__(self, solid: Solid, axis: int) -> None:
-        from scipy import ndimage
+        ndimage = scipy_ndimage()
 
         filled = solid.padded.view(bool)
         self.axis = axis
