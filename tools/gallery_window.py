@@ -284,7 +284,7 @@ def take_voxels():
     view().fitAll()
     shoot("voxels-panel")
     panel.fields.strategy.setCurrentText("minimum-zeros")
-    shoot("voxels-tables")
+    shoot("voxels-strategy")
     panel.fields.edges[0].set_value(0.001)
     shoot("voxels-refused")
     panel.reject()
@@ -296,8 +296,28 @@ def take_voxels():
         dock.slider.setValue(40 + 10 * number)
         shoot("voxels-" + name)
     obj = next(one for one in FreeCAD.ActiveDocument.Objects if getattr(one.Proxy, "Type", "") == KIND)
+    take_tables(obj)
     take_dialog("voxels-shapes", LayerDialog(FreeCADGui.getMainWindow(), obj))
     take_dialog("voxels-export", VoxelExportDialog(FreeCADGui.getMainWindow(), [obj]))
+
+
+def take_tables(obj):
+    """Picture the tables of a voxel design with a wrong cell, and a small layer that is being filled."""
+    from freecad_trabecula.gui.propagation_dialog import watch_layer
+    from freecad_trabecula.gui.table_dialog import TableDialog
+
+    dialog = TableDialog(FreeCADGui.getMainWindow(), obj)
+    model = dialog.models[0]
+    model.setData(model.index(6, 5), str(int(model.cells[4, -6]) + 1))
+    dialog.show()
+    dialog.move(200, 120)
+    shoot("voxels-tables")
+    dialog.close()
+    dialog = watch_layer(None)
+    dialog.go(4)
+    dialog.move(360, 60)
+    shoot("voxels-watch")
+    dialog.close()
 
 
 def take_dark():

@@ -34,7 +34,10 @@ GROUPS = (
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula voxels"),
         QT_TRANSLATE_NOOP("Workbench", "&Voxels"),
-        ("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_LayerShapes", "Trabecula_VoxelExport"),
+        (
+            *("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_VoxelTables", "Trabecula_WatchLayer", ""),
+            *("Trabecula_LayerShapes", "Trabecula_VoxelExport"),
+        ),
     ),
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula study"),

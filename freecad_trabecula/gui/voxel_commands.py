@@ -9,9 +9,11 @@ from ..features.relations import type_of
 from . import panels
 from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
 from .layer_dialog import ask_and_make
+from .propagation_dialog import watch_layer
+from .table_dialog import ask_for_tables
 from .voxel_dock import KIND, show_layers, voxel_dock
 from .voxel_export import export_voxels
-from .voxel_panel import is_sample
+from .voxel_panel import design_with_tables, is_sample
 
 
 def _design() -> Any:
@@ -53,6 +55,33 @@ class ShowLayers(Command):
             show_layers(_design())
 
 
+class ShowTables(Command):
+    """Shows the tables of a voxel design."""
+
+    NAME, ICON, NEEDS = "Trabecula_VoxelTables", "Trabecula_tables", ("voxels",)
+    TEXT, KEYS = "Tables", "T, E"
+    TIP = "See, edit, read and write the tables alpha and beta. Needs a voxel design; select one of several"
+
+    def run(self, index: int) -> None:
+        """Show them; design with what was edited."""
+        obj = _design()
+        tables = ask_for_tables(obj)
+        if tables is not None:
+            design_with_tables(obj, tables)
+
+
+class WatchLayer(Command):
+    """Shows how a layer is filled."""
+
+    NAME, ICON = "Trabecula_WatchLayer", "Trabecula_watch_layer"
+    TEXT, KEYS = "Watch a layer", "T, Z"
+    TIP = "Watch how a layer is filled, step by step. Select a voxel design for its layers, or nothing for own numbers"
+
+    def run(self, index: int) -> None:
+        """Open the dialog."""
+        watch_layer(_design())
+
+
 class LayerShapes(Command):
     """Makes wires or solids of layers."""
 
@@ -78,4 +107,4 @@ class ExportVoxels(Command):
 
 
 #: In the order of toolbar and menu.
-COMMANDS = (DesignVoxels, ShowLayers, LayerShapes, ExportVoxels)
+COMMANDS = (DesignVoxels, ShowLayers, ShowTables, WatchLayer, LayerShapes, ExportVoxels)

@@ -3,20 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, Callable, NamedTuple, Optional, Sequence
 
 import FreeCAD
 
 from .. import make
+from ..core.voxels.drawn_curves import DrawnCurves
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError, TrabeculaError
 from ..features.base import read_parameters
 from ..features.relations import type_of
 from ..features.tasks import write_voxel_task
 from ..features.voxel_design import VoxelDesign
-from ..features.voxel_inputs import inputs_of
+from ..features.voxel_inputs import FlatTables, curves_of, flat_tables, inputs_of
 from .analysis_form import is_sliceable
-from .document_work import Order, write_step
+from .document_work import Order, work_at_once, write_step
 from .language import in_words
 from .voxel_dock import show_layers
 from .voxel_form import VoxelForm
@@ -36,6 +37,8 @@ class VoxelWish(NamedTuple):
     envelope: str = ""
     surface: str = "blocks"
     design: str = ""
+    curves: Optional[DrawnCurves] = None
+    tables: Optional[FlatTables] = None
 
     def order(self) -> Order:
         """Return what is to be done for it.
@@ -46,25 +49,58 @@ class VoxelWish(NamedTuple):
             If there is no sample.
         """
         document = FreeCAD.getDocument(self.document)
-        sample = document.getObject(self.source) if self.source else self.file
+        sample = document.getObject(self.source) if self.source else self.curves or self.file
         envelope = document.getObject(self.envelope) if self.envelope else None
-        inputs = inputs_of(sample, self.parameters, envelope, self.surface)
+        inputs = inputs_of(sample, self.parameters, envelope, self.surface, self.tables)
         return Order(
             self.document, VoxelDesign.KIND, inputs.key, lambda folder: write_voxel_task(folder, inputs), self.write
         )
+
+    def work(self, done: Callable[[Any], None]) -> None:
+        """Do it with one click, seen in the status bar.
+
+        Raises
+        ------
+        TrabeculaError
+            If the work cannot be started.
+        """
+        work_at_once(self.order(), done)
 
     def write(self) -> Any:
         """Write the design, which is at hand, into the document in one step; return the object."""
         envelope = f"document.getObject({self.envelope!r})" if self.envelope else "None"
         more = f"parameters, envelope={envelope}, surface={self.surface!r}"
-        sample = f"document.getObject({self.source!r})" if self.source else repr(self.file)
+        if self.tables:
+            more += f", tables={self.tables!r}"
+        curves = repr(self.curves) if self.curves else ""
+        lines = [f"from {DrawnCurves.__module__} import {DrawnCurves.__name__}"] if curves else []
+        sample = f"document.getObject({self.source!r})" if self.source else curves or repr(self.file)
         if self.design:
-            lines = [f"make.change_voxel_design(document.getObject({self.design!r}), {more})"]
+            more += f", curves={curves}" if curves else ""
+            lines.append(f"make.change_voxel_design(document.getObject({self.design!r}), {more})")
         else:
-            lines = [f"make.make_voxel_design(document, {sample}, {more})"]
+            lines.append(f"make.make_voxel_design(document, {sample}, {more})")
         if self.source and not self.design:  # both fill the same place
             lines.append(f"{sample}.Visibility = False")
         return write_step(self.document, "Design voxels", self.parameters, lines, VoxelDesign.Type, self.design)
+
+
+def design_with_tables(obj: Any, tables: Sequence[Any]) -> None:
+    """Have the layers of a voxel design filled from given tables, in another process, as one step.
+
+    Raises
+    ------
+    TrabeculaError
+        If the work cannot be started.
+    """
+    VoxelWish(
+        obj.Document.Name, read_parameters(obj, VoxelParameters), _name(obj.Source), obj.File, _name(obj.Envelope),
+        obj.Surface, obj.Name, curves_of(obj), flat_tables(tables),
+    ).work(show_layers)  # fmt: skip
+
+
+def _name(obj: Any) -> str:
+    return obj.Name if obj is not None else ""
 
 
 class VoxelPanel(WorkPanel):

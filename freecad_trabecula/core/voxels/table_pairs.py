@@ -8,7 +8,7 @@ checked once, and beta is then drawn row by row within what alpha leaves it: com
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional, Tuple
+from typing import List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from .feasibility import caps_of, check_caps
 from .layer_fill import layer_sums
 from .masked_tables import masked_caps, masked_layers_exist, masked_pair
 from .parameters import VoxelParameters
-from .tables import Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table, table_errors
+from .tables import SumError, Table, capped_ranks, fits, partner_ranks, solve_table, solve_thesis_table, table_errors
 from .targets import Targets
 
 #: Tables (N, P) and (M, P) that a pair shall be near to.
@@ -92,6 +92,63 @@ def compatible_layers(alpha: np.ndarray, beta: np.ndarray) -> np.ndarray:
     return (largest <= ranks).all(1) & (alpha.sum(0) == beta.sum(0))
 
 
+class PairErrors(NamedTuple):
+    """What is wrong with given tables.
+
+    Attributes
+    ----------
+    alpha, beta : lists of SumError
+        Sums and cells; their rows are the layers along Z, their columns the lines along X or Y.
+    layers : ndarray of int
+        Layers along Z that no voxels can fill with these sums in columns and rows.
+    """
+
+    alpha: List[SumError]
+    beta: List[SumError]
+    layers: np.ndarray
+
+    def __bool__(self) -> bool:
+        return bool(self.alpha or self.beta or len(self.layers))
+
+    def first(self) -> Tuple[str, int]:
+        """Return the first wrong sum or cell in words, "" if all are right, and how many are wrong."""
+        named = [f"table {name}: {one.words}" for name in ("alpha", "beta") for one in getattr(self, name)]
+        return (named or [""])[0], len(named)
+
+
+def pair_errors(
+    targets: Targets,
+    parameters: VoxelParameters,
+    alpha: np.ndarray,
+    beta: np.ndarray,
+    mask: Optional[np.ndarray] = None,
+) -> PairErrors:
+    """Return what is wrong with given tables; layers are looked at when all sums and cells are right.
+
+    Parameters
+    ----------
+    targets : Targets
+    parameters : VoxelParameters
+        Its caps.
+    alpha, beta : ndarrays of shape (N, P), (M, P), int
+    mask : ndarray of shape (P, M, N), bool, optional
+
+    Raises
+    ------
+    ParameterError
+        If a table has another shape.
+    """
+    caps = caps_of(targets, parameters) if mask is None else masked_caps(targets, parameters, mask)
+    found = [
+        table_errors(table.T, targets.c, columns, cap)
+        for table, columns, cap in zip((alpha, beta), (targets.d, targets.e), caps)
+    ]
+    if any(found):
+        return PairErrors(*found, np.zeros(0, int))
+    exist = compatible_layers(alpha, beta) if mask is None else masked_layers_exist(alpha, beta, mask)
+    return PairErrors(*found, np.flatnonzero(~exist))
+
+
 def draw_pair(
     targets: Targets,
     parameters: VoxelParameters,
@@ -151,13 +208,11 @@ def given_pair(targets: Targets, parameters: VoxelParameters, mask: Optional[np.
         If layers of the two tables are not compatible; the first is named.
     """
     alpha, beta = targets.tables or ()
-    caps = caps_of(targets, parameters) if mask is None else masked_caps(targets, parameters, mask)
-    for name, table, columns, cap in zip(("alpha", "beta"), (alpha, beta), (targets.d, targets.e), caps):
-        errors = table_errors(table.T, targets.c, columns, cap)
-        if errors:
-            raise ParameterError(f"table {name}: {errors[0].words}; {len(errors)} sums or cells are wrong")
-    exist = compatible_layers(alpha, beta) if mask is None else masked_layers_exist(alpha, beta, mask)
-    bad = np.flatnonzero(~exist)
+    errors = pair_errors(targets, parameters, alpha, beta, mask)
+    words, count = errors.first()
+    if count:
+        raise ParameterError(f"{words}; {count} sums or cells are wrong")
+    bad = errors.layers
     if len(bad):
         where = "" if mask is None else " within the mask"
         raise InfeasibleError(
