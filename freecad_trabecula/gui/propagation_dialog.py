@@ -17,6 +17,7 @@ from ..core.voxels.parameters import DIRECTIONS
 from ..core.voxels.propagation_steps import Step, propagation_steps
 from ..errors import ParameterError, TrabeculaError
 from .fields import row_widget
+from .language import in_words
 from .propagation_view import PropagationView
 from .qt import small_button
 
@@ -128,7 +129,7 @@ class PropagationDialog(QtGui.QDialog):
             self.steps = propagation_steps(_whole_numbers(self.alpha), _whole_numbers(self.beta), direction, order)
         except TrabeculaError as error:
             self.steps = []
-            self.view.show_words(str(error))
+            self.view.show_words(in_words(str(error)))
         self.slider.setEnabled(bool(self.steps))
         self.slider.blockSignals(True)
         self.slider.setRange(0, max(len(self.steps) - 1, 0))

@@ -23,6 +23,7 @@ from ..core.voxels.table_files import (
 )
 from ..core.voxels.table_pairs import pair_errors
 from ..errors import ParameterError
+from .language import choice, in_words
 from .qt import Buttons, run_dialog
 from .table_model import TableModel
 from .transactions import told
@@ -115,10 +116,10 @@ class TableDialog(QtGui.QDialog):
         if not self.models[0].can_edit:
             return translate(
                 "Trabecula", "Strategy {} makes voxels without tables; another strategy fills layers from edited ones"
-            ).format(self.design.parameters.strategy)
+            ).format(choice(self.design.parameters.strategy))
         words, count = errors.first()
         if count:
-            return translate("Trabecula", "{}; {} sums or cells are wrong").format(words, count)
+            return translate("Trabecula", "{}; {} sums or cells are wrong").format(in_words(words), count)
         if len(errors.layers):
             return translate("Trabecula", "No voxels fill layer {} along Z; {} layers do not go").format(
                 int(errors.layers[0]), len(errors.layers)

@@ -10,6 +10,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from ..core.voxels.tables import SumError
+from .language import in_words
 from .qt import paper_and_ink
 
 translate = FreeCAD.Qt.translate
@@ -119,7 +120,7 @@ class TableModel(QtCore.QAbstractTableModel):
     def _tip(self, line: int, layer: int) -> Any:
         wrong = self.error(line, layer)
         if wrong:
-            return wrong.words
+            return in_words(wrong.words)
         return translate("Trabecula", "no voxels have these sums in columns and rows") if self._is_apart(
             line, layer) else None  # fmt: skip
 
