@@ -13,14 +13,13 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..core.colours import scale_colours
 from .language import local_number
 from .qt import paper_and_ink
 
 _LEFT, _RIGHT, _TOP, _BOTTOM = 58, 12, 22, 34  # pixels around the axes
 _TICKS = 6  # about so many along an axis
 _CURSOR = "#3a8ee6"  # stands out on light and on dark
-#: Few to many: Viridis without its darkest end (BSD, van der Walt, Smith).
-_SCALE = np.array([(68, 57, 131), (49, 104, 142), (33, 145, 140), (94, 201, 98), (253, 231, 37)], float)
 
 
 class Curve(NamedTuple):
@@ -247,9 +246,9 @@ class Chart(QtGui.QWidget):
         painter.setRenderHint(QtGui.QPainter.Antialiasing, False)
         for i, j in zip(*np.nonzero(counts.counts)):
             share = math.log(float(counts.counts[i, j])) / most
-            colour = [np.interp(share, np.linspace(0, 1, len(_SCALE)), _SCALE[:, c]) for c in range(3)]
+            colour = scale_colours(share).tolist()
             place = QtCore.QRectF(across[i], up[j + 1], across[i + 1] - across[i] + 0.6, up[j] - up[j + 1] + 0.6)
-            painter.fillRect(place, QtGui.QColor(*(int(c) for c in colour)))
+            painter.fillRect(place, QtGui.QColor(*colour))
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
 
     def _paint_legend(self, painter: Any, box: Any) -> None:

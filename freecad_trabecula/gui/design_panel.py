@@ -201,7 +201,7 @@ class DesignPanel:
         if self._open and hasattr(self, "preview"):
             self.preview.set_visible(box=self.envelope is None, **self.outcome.shown())
             self.preview.set_colouring(self.outcome.colouring.value())
-            self.outcome.show_scale()
+            self.outcome.show_legend()
 
     # ---------------------------------------------------------------------------------------------------- picking
 

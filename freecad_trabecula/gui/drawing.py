@@ -7,6 +7,8 @@ from typing import Dict, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
+from ..core.colours import Legend, scale_colours
+from ..core.rod_colours import ROD_COLOURINGS, end_sizes, rod_colouring
 from ..core.rods import Rods, build_rods
 from ..core.sites import Sites
 from ..core.wireframe import Wireframe
@@ -14,13 +16,6 @@ from ..core.wireframe import Wireframe
 #: Stations and ring points of previewed rods; a design of many rods takes the coarser ones.
 _FINE, _COARSE, _COARSEST = (13, 12), (9, 8), (7, 6)
 _MANY, _VERY_MANY = 200, 800
-#: Small to large: Viridis without its dark end, so that it stands out on dark and light (BSD, van der Walt, Smith).
-SIZE_COLOURS = ((59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37))
-#: Couplings: Okabe and Ito's colours, told apart by colour-blind eyes too.
-COUPLING_COLOURS = (
-    *((230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66)),
-    *((0, 114, 178), (213, 94, 0), (204, 121, 167), (150, 150, 150)),
-)
 
 
 class Drawing(NamedTuple):
@@ -30,8 +25,10 @@ class Drawing(NamedTuple):
     ----------
     vertices, normals : ndarray (V, 3), float32
         Of the rods.
-    size_colours, coupling_colours : ndarray (V,), uint32
-        0xRRGGBBAA of each vertex.
+    colours : dict of ndarray (V,), uint32
+        0xRRGGBBAA of each vertex, by what the colours mean.
+    legends : dict of Legend
+        What they mean.
     strips : ndarray (I,), int32
         Strips of triangles, each closed by -1.
     sites, idle_sites : ndarray (P, 3), float32
@@ -40,21 +37,18 @@ class Drawing(NamedTuple):
         Ends of the lines that join coupled sites.
     low, high : tuple of 3 floats, mm
         The envelope's box.
-    sizes : tuple of 2 floats, mm
-        Least and greatest size of the end sections.
     """
 
     vertices: np.ndarray
     normals: np.ndarray
-    size_colours: np.ndarray
-    coupling_colours: np.ndarray
+    colours: Dict[str, np.ndarray]
+    legends: Dict[str, Legend]
     strips: np.ndarray
     sites: np.ndarray
     idle_sites: np.ndarray
     pairs: np.ndarray
     low: Tuple[float, float, float]
     high: Tuple[float, float, float]
-    sizes: Tuple[float, float]
 
 
 def draw_wireframe(wireframe: Wireframe, low: Sequence[float], high: Sequence[float]) -> Drawing:
@@ -64,22 +58,22 @@ def draw_wireframe(wireframe: Wireframe, low: Sequence[float], high: Sequence[fl
     rods = build_rods(wireframe.paths, wireframe.ends, stations, points)
     stations, points = rods.rings.shape[1:3]
     vertices, normals = _surface(rods)
-    sizes = np.stack([wireframe.ends.first.size, wireframe.ends.second.size], 1)
-    if not wireframe.ends.rolls:
-        sizes[:, 1] = sizes[:, 0]
+    found = {by: rod_colouring(wireframe, by) for by in ROD_COLOURINGS}
+    colours = {by: np.repeat(_packed(one.colours), (stations + 2) * points) for by, one in found.items()}
+    along = _size_colours(end_sizes(wireframe), found["size"].legend, stations)  # rods may taper
+    colours["size"] = np.repeat(along, points, 1).reshape(-1)
     used, idle = _sites(wireframe.sites, wireframe)
     return Drawing(
         vertices,
         normals,
-        np.repeat(_size_colours(sizes, stations), points, 1).reshape(-1),
-        np.repeat(_coupling_colours(wireframe.coupling), (stations + 2) * points),
+        colours,
+        {by: one.legend for by, one in found.items()},
         _strips(count, stations, points),
         used,
         idle,
         wireframe.paths[:, [0, 1], [0, 3]].reshape(-1, 3).astype(np.float32),
         tuple(low),
         tuple(high),
-        (float(sizes.min()), float(sizes.max())) if count else (0.0, 0.0),
     )
 
 
@@ -126,24 +120,9 @@ def _packed(colours: np.ndarray) -> np.ndarray:
     return (c[..., 0] << 24) | (c[..., 1] << 16) | (c[..., 2] << 8) | np.uint32(255)
 
 
-def size_colour(share: np.ndarray) -> np.ndarray:
-    """Return the colours (..., 3) of 0..255 for shares 0..1 of the range of sizes."""
-    table = np.array(SIZE_COLOURS, float)
-    places = np.linspace(0, 1, len(table))
-    return np.stack([np.interp(share, places, table[:, c]) for c in range(3)], -1)
-
-
-def _size_colours(sizes: np.ndarray, stations: int) -> np.ndarray:
+def _size_colours(sizes: np.ndarray, legend: Legend, stations: int) -> np.ndarray:
     """Colours (R, K + 2) along rods with end sizes (R, 2), caps last."""
-    if not len(sizes):
-        return np.zeros((0, stations + 2), np.uint32)
     share = np.linspace(0, 1, stations)
     along = sizes[:, :1] + (sizes[:, 1:] - sizes[:, :1]) * share
     along = np.concatenate([along, sizes], 1)
-    span = max(float(np.ptp(sizes)), 1e-12)
-    return _packed(size_colour((along - sizes.min()) / span))
-
-
-def _coupling_colours(coupling: np.ndarray) -> np.ndarray:
-    """Colours (R,) by coupling."""
-    return _packed(np.array(COUPLING_COLOURS)[coupling % len(COUPLING_COLOURS)].reshape(-1, 3))
+    return _packed(scale_colours((along - legend.low) / max(legend.high - legend.low, 1e-12)))

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from html import escape
-from typing import Any, Callable, Optional, Tuple
+from typing import Callable, Optional
 
 import FreeCAD
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-from .drawing import SIZE_COLOURS
 from .fields import ChoiceField, row_widget
 from .language import filled, in_words, local_number
+from .legend import LegendWidget
 from .preview import COLOURINGS
 from .preview_worker import Estimate, Outline
 
@@ -35,7 +35,7 @@ class Outcome(QtGui.QWidget):
         self.message.setWordWrap(True)
         self.details.setWordWrap(True)
         self._outline: Optional[Outline] = None
-        self.scale = ColourScale()
+        self.legend = LegendWidget()
         self.colouring = ChoiceField(COLOURINGS, show_parts, translate("Trabecula", "What the rods' colours mean"))
         self.parts = {}
         shown = row_widget()
@@ -55,7 +55,7 @@ class Outcome(QtGui.QWidget):
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(3)
-        for widget in (shown, self.scale, self.headline, self.details, self.message):
+        for widget in (shown, self.legend, self.headline, self.details, self.message):
             column.addWidget(widget)
         self.show_busy()
 
@@ -63,9 +63,10 @@ class Outcome(QtGui.QWidget):
         """Return which parts of the preview are to be shown."""
         return {name: box.isChecked() for name, box in self.parts.items()}
 
-    def show_scale(self) -> None:
-        """Show the scale of sizes only while the colours mean sizes."""
-        self.scale.setVisible(self.colouring.value() == COLOURINGS[0])
+    def show_legend(self) -> None:
+        """Show what the colours mean."""
+        rods = self._outline.rods if self._outline is not None else 0
+        self.legend.show_legend(self._outline.drawing.legends[self.colouring.value()] if rods else None)
 
     def show_busy(self, text: str = "") -> None:
         """Say that a preview is on its way, or what else goes on before it."""
@@ -83,8 +84,7 @@ class Outcome(QtGui.QWidget):
         self.headline.setText(f"<b>{rods}</b>, {translate('Trabecula', 'porosity …')}")
         self.details.setText(mended_text(outline))
         self.details.show()
-        self.scale.set_sizes(outline.drawing.sizes)
-        self.show_scale()
+        self.show_legend()
         self.message.hide()
 
     def show_estimate(self, estimate: Estimate) -> None:
@@ -133,34 +133,3 @@ def mended_text(outline: Outline) -> str:
         (outline.outside, translate("Trabecula", "{} leave the envelope")),
     )
     return ", ".join(text.format(count) for count, text in parts if count)
-
-
-class ColourScale(QtGui.QWidget):
-    """A bar of the colours of sizes, between the least and the greatest."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._sizes: Tuple[float, float] = (0.0, 0.0)
-        self.setFixedHeight(16)
-        self.setToolTip(translate("Trabecula", "Size of the end sections, mm"))
-
-    def set_sizes(self, sizes: Tuple[float, float]) -> None:
-        """Show other bounds, mm."""
-        self._sizes = sizes
-        self.update()
-
-    def paintEvent(self, event: Any) -> None:
-        """Paint the bar between its two numbers."""
-        painter = QtGui.QPainter(self)
-        texts = [local_number(size, ".2f") for size in self._sizes]
-        texts[1] += " mm"
-        widths = [painter.fontMetrics().boundingRect(text).width() + 6 for text in texts]
-        box = QtCore.QRect(0, 0, self.width(), self.height())
-        painter.drawText(box, QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, texts[0])
-        painter.drawText(box, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter, texts[1])
-        bar = QtCore.QRect(widths[0], 3, self.width() - sum(widths), self.height() - 6)
-        gradient = QtGui.QLinearGradient(bar.left(), 0, bar.right(), 0)
-        for k, colour in enumerate(SIZE_COLOURS):
-            gradient.setColorAt(k / (len(SIZE_COLOURS) - 1), QtGui.QColor(*colour))
-        painter.fillRect(bar, gradient)
-        painter.end()

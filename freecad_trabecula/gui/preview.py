@@ -8,9 +8,10 @@ from typing import Any, Optional
 import numpy as np
 from pivy import coin
 
+from ..core.rod_colours import ROD_COLOURINGS
 from .drawing import Drawing
 
-COLOURINGS = ("size", "coupling")
+COLOURINGS = tuple(ROD_COLOURINGS)
 _SITE, _IDLE_SITE, _PAIR, _EDGE = (0.1, 0.1, 0.1), (0.85, 0.25, 0.2), (0.25, 0.35, 0.55), (0.35, 0.35, 0.35)
 _CORNERS = np.array([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)], float)
 _BOX_EDGES = np.array([(a, b) for a in range(8) for b in range(a + 1, 8) if bin(a ^ b).count("1") == 1])
@@ -110,12 +111,10 @@ class Preview:
         _fill(lines.numVertices, np.full(len(ends) // 2, 2, np.int32))
 
     def _colour(self) -> None:
-        by_size = self.colouring == COLOURINGS[0]
-        colours = self._drawing.size_colours if by_size else self._drawing.coupling_colours
-        _fill(self._rods.vertexProperty.getValue().orderedRGBA, colours)
+        _fill(self._rods.vertexProperty.getValue().orderedRGBA, self._drawing.colours[self.colouring])
 
     def set_colouring(self, colouring: str) -> None:
-        """Colour rods by ``size`` or by ``coupling``."""
+        """Colour rods by one of ``COLOURINGS``."""
         self.colouring = colouring
         if self._drawing is not None:
             self._colour()

@@ -8,6 +8,7 @@ from typing import Any, List, Optional
 from ..features.on_demand import hand_long_work_to
 from ..features.relations import roles_of, type_of
 from ..features.stateless import Stateless
+from . import colouring
 from .looks import ANGLE, DARK, DEVIATION, PLAIN, look_of
 from .qt import icon_path, invoke_later
 
@@ -56,6 +57,7 @@ class ViewProvider(Stateless):
         self.Object = view.Object
         if type_of(view.Object) == "Trabecula::VoxelDesign":
             view.RootNode.insertChild(_side_light(), 0)
+        colouring.add_property(view)
 
     def isShow(self) -> bool:
         """Return whether the tree shows the object as seen: an analysis has nothing that could be hidden."""
@@ -68,10 +70,21 @@ class ViewProvider(Stateless):
         return icon_path(look_of(obj).icon if obj is not None else PLAIN.icon)
 
     def updateData(self, obj: Any, name: str) -> None:
-        """Change the look with the role of a scaffold's part."""
-        if name == "Role" and obj.ViewObject is not None:
+        """Change the look with the role of a scaffold's part, and meaningful colours with the result."""
+        if obj.ViewObject is None:
+            return
+        if name == "Role":
             apply_look(obj)
             obj.ViewObject.Visibility = look_of(obj).visible
+        elif name == "ResultKey" and colouring.is_coloured(obj):
+            colouring.refresh(obj)
+
+    def onChanged(self, view: Any, name: str) -> None:
+        """Follow the property that says what the colours mean, and what is seen."""
+        if name == colouring.PROPERTY:
+            colouring.refresh(view.Object)
+        elif name == "Visibility":
+            colouring.show_legends(view.Object.Document.Name)
 
     def claimChildren(self) -> List[Any]:
         """Return what stands below in the tree: envelope and sites below a wireframe, its parts below a scaffold."""

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rods coloured by what they are: their size, their coupling, how they came through the recovery."""
+
+from __future__ import annotations
+
+from typing import Callable, Dict
+
+import numpy as np
+
+from ..errors import ParameterError
+from .colours import BLUE, GREY, ORANGE, VERMILION, Colouring, Entry, by_class, by_value
+from .wireframe import Wireframe
+
+#: What became of a rod, and its colour; those that failed are no rods any more and stand in the legend only.
+OUTCOMES = {"as drawn": BLUE, "mended": ORANGE, "leaves the envelope": VERMILION, "failed, left out": GREY}
+
+
+def end_sizes(wireframe: Wireframe) -> np.ndarray:
+    """Return the sizes (R, 2) of the rods' two end sections, mm."""
+    ends = wireframe.ends
+    return np.stack([ends.first.size, ends.second.size if ends.rolls else ends.first.size], 1)
+
+
+def _by_size(wireframe: Wireframe) -> Colouring:
+    sizes = end_sizes(wireframe)
+    return by_value(sizes.mean(1), "size", "mm", sizes.ravel())
+
+
+def _by_coupling(wireframe: Wireframe) -> Colouring:
+    numbers, rows = np.unique(wireframe.coupling, return_inverse=True)
+    made = [row for row in wireframe.rows if row.rods]  # couplings that are off have no row
+    names = [f"{row.first} - {row.second}" for row in made]
+    if len(names) != len(numbers):  # all rods of one failed
+        names = [str(k + 1) for k in numbers.tolist()]
+    return by_class(rows.reshape(-1), names, "coupling")
+
+
+def _by_recovery(wireframe: Wireframe) -> Colouring:
+    mended = {one.rod for one in wireframe.recoveries}
+    outside = set(wireframe.outside)
+    outcome = [2 if name in outside else 1 if name in mended else 0 for name in wireframe.names]
+    names = list(OUTCOMES)
+    colouring = by_class(np.array(outcome, int), names, "recovery", list(OUTCOMES.values()))
+    if not wireframe.failed:
+        return colouring
+    failed = Entry(names[3], OUTCOMES[names[3]], len(wireframe.failed))
+    return colouring._replace(legend=colouring.legend._replace(entries=(*colouring.legend.entries, failed)))
+
+
+#: What rods can be coloured by.
+ROD_COLOURINGS: Dict[str, Callable[[Wireframe], Colouring]] = {
+    "size": _by_size,
+    "coupling": _by_coupling,
+    "recovery": _by_recovery,
+}
+
+
+def rod_colouring(wireframe: Wireframe, by: str) -> Colouring:
+    """Return the colours of the rods (R,) of a wireframe.
+
+    Parameters
+    ----------
+    wireframe : Wireframe
+    by : str
+        A key of ``ROD_COLOURINGS``; ``size`` is the mean of both end sections, its range that of all.
+
+    Raises
+    ------
+    ParameterError
+        If it is none.
+    """
+    if by not in ROD_COLOURINGS:
+        raise ParameterError(f"rods are coloured by one of {', '.join(ROD_COLOURINGS)}, got {by!r}")
+    return ROD_COLOURINGS[by](wireframe)

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the objects of a document can be coloured by, and the colours of their faces, edges or triangles."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Tuple
+
+import FreeCAD
+import numpy as np
+
+from ..core.analysis.parameters import AXES
+from ..core.colours import Colouring, by_value
+from ..core.rod_colours import ROD_COLOURINGS, rod_colouring
+from ..core.voxels.trabeculae import trabecula_counts
+from ..core.wireframe import Wireframe as CoreWireframe
+from ..errors import ParameterError
+from ..geometry.mesh_objects import core_mesh
+from . import results
+from .analysis import Analysis, analysis_of
+from .feature import is_a
+from .network import Network
+from .scaffold import Body, Scaffold
+from .voxel_design import VoxelDesign, voxel_design_of
+from .wireframe import Wireframe, recall
+
+PLAIN = "plain"
+_POROSITY = tuple(f"porosity along {axis}" for axis in AXES)
+_TRABECULAE = tuple(f"trabeculae along {axis}" for axis in AXES)
+_INWARDS = 1e-3  # of a layer: a triangle between two layers belongs to that with the material
+
+
+def choices(obj: Any) -> Tuple[str, ...]:
+    """Return what an object can be coloured by, ``plain`` first; nothing for objects without a body."""
+    if is_a(obj, Network, Wireframe):
+        return (PLAIN, *ROD_COLOURINGS)
+    if is_a(obj, VoxelDesign):
+        return (PLAIN, *_POROSITY, *_TRABECULAE)
+    if is_a(obj, Scaffold, Body):
+        return (PLAIN, *_POROSITY)
+    return ()
+
+
+def colouring_of(obj: Any, by: str) -> Colouring:
+    """Return the colours of an object: of a network's faces, a wireframe's path edges, a mesh's triangles.
+
+    Parameters
+    ----------
+    obj : document object
+    by : str
+        One of ``choices(obj)`` but ``plain``.
+
+    Raises
+    ------
+    ParameterError
+        If it cannot be coloured by that, or there is nothing yet.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> from freecad_trabecula.core.presets import preset
+    >>> network = make.make_network(make.make_design(FreeCAD.newDocument(), preset("case1")).wireframe)
+    >>> colouring_of(network, "coupling").legend.entries[0].name
+    'Face1 - Face2'
+    """
+    if by == PLAIN or by not in choices(obj):
+        raise ParameterError(
+            f"{obj.Label} can be coloured by one of {', '.join(choices(obj)[1:]) or '(none)'}, got {by!r}"
+        )
+    if is_a(obj, Network):
+        return _of_network(obj, by)
+    if is_a(obj, Wireframe):
+        return rod_colouring(_shown(obj), by).of(np.repeat(np.arange(len(_shown(obj))), 2))  # a path has two pieces
+    return _of_layers(obj, by)
+
+
+def _shown(obj: Any) -> CoreWireframe:
+    """The numbers that a wireframe object shows; they may be older than its parameters."""
+    recall(obj)
+    found = results.find(Wireframe.KIND, obj.ResultKey)
+    if found is None:
+        raise ParameterError(f"{obj.Label} must be computed before its rods are coloured, got: {obj.Status}")
+    return found.wireframe
+
+
+def _of_network(obj: Any, by: str) -> Colouring:
+    wireframe = _shown(obj.Wireframe)
+    numbers = {name: k for k, name in enumerate(wireframe.names)}
+    missing = [name for name in obj.RodNames if name not in numbers]
+    if missing:
+        raise ParameterError(f"{obj.Label} must show the rods of {obj.Wireframe.Label}, got {missing[0]}: update it")
+    rods = [numbers[name] for name in obj.RodNames]
+    faces = [len(solid.Faces) for solid in obj.Shape.Solids]
+    return rod_colouring(wireframe, by).of(np.repeat(np.array(rods, int), faces))
+
+
+# ---------------------------------------------------------------------------------------------------------- layers
+
+
+def _of_layers(obj: Any, by: str) -> Colouring:
+    """Triangles of a mesh by the number of the layer in which they lie."""
+    quantity, _, axis = by.partition(" along ")
+    place = AXES.index(axis)
+    is_voxels = is_a(obj, VoxelDesign)
+    edges, values = _voxel_layers(obj, quantity, place) if is_voxels else _analysed_slices(obj, axis)
+    mesh = obj.Mesh
+    if is_voxels and not mesh.Placement.isIdentity():  # wherever the design was moved, its layers went with it
+        mesh = mesh.copy()
+        mesh.Placement = FreeCAD.Placement()
+    corners = core_mesh(mesh)
+    corners = corners.vertices[corners.triangles].astype(np.float32)
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = across[:, place] / np.maximum(np.linalg.norm(across, axis=1), 1e-30)
+    middles = corners[:, :, place].mean(1) - _INWARDS * (edges[1] - edges[0]) * normals
+    layers = np.clip(np.searchsorted(edges, middles, "right") - 1, 0, len(values) - 1)
+    colouring = by_value(values, by, "%" if quantity == "porosity" else "")
+    return colouring.of(layers)
+
+
+def _voxel_layers(obj: Any, quantity: str, place: int) -> Tuple[np.ndarray, np.ndarray]:
+    """Edges (S + 1,), mm, of the layers of a voxel design along an axis, and their values (S,)."""
+    design = voxel_design_of(obj)
+    voxels, others = design.voxels, tuple(k for k in range(3) if k != 2 - place)
+    if quantity == "trabeculae":
+        values = trabecula_counts(voxels)[place].astype(float)
+    else:
+        cells = np.ones_like(voxels) if design.mask is None else design.mask
+        values = 100 * (1 - voxels.sum(others) / np.maximum(cells.sum(others), 1))
+        values[cells.sum(others) == 0] = np.nan
+    targets = design.targets
+    return targets.origin[place] + targets.voxel[place] * np.arange(len(values) + 1), values
+
+
+def _analysed_slices(obj: Any, axis: str) -> Tuple[np.ndarray, np.ndarray]:
+    """Edges (S + 1,), mm, of the layers of the latest analysis of an object, and their porosity (S,), %."""
+    found = _analysis_along(obj, axis)
+    if found is None:
+        raise ParameterError(f"the porosity of slices along {axis} is that of an analysis of {obj.Label}, got none: "
+                             "analyse it first")  # fmt: skip
+    profile = analysis_of(found).profiles[axis]
+    middles = profile.coordinate
+    half = profile.thickness / 2
+    edges = np.concatenate([[middles[0] - half], (middles[1:] + middles[:-1]) / 2, [middles[-1] + half]])
+    return edges, 100 * np.where(profile.spoilt, np.nan, profile.porosity)
+
+
+def _analysis_along(obj: Any, axis: str) -> Optional[Any]:
+    every = [one for one in obj.InList if is_a(one, Analysis) and one.Source == obj and one.ResultKey]
+    return next((one for one in reversed(every) if axis in analysis_of(one).profiles), None)

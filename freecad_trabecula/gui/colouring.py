@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Colours that carry meaning on the objects of a document: a view property says which, a legend says what they mean.
+
+What is chosen is saved with the document. Colours of faces and edges are FreeCAD's own and are saved too; those of
+triangles are put into the scene anew when the document is opened.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Optional
+
+import FreeCAD
+import numpy as np
+from pivy import coin
+
+from ..core.colours import Legend
+from ..errors import TrabeculaError
+from ..features.colouring import PLAIN, choices, colouring_of
+from .legend import LegendOverlay, Titled
+from .qt import invoke_later
+
+PROPERTY, _KEPT = "ColourBy", "PlainColour"
+_overlays: Dict[str, LegendOverlay] = {}
+_legends: Dict[str, Dict[str, Legend]] = {}  # by names of document and object
+_waiting: set = set()
+
+
+def add_property(view: Any) -> None:
+    """Give a view the property, if its object has something to be coloured."""
+    offered = choices(view.Object)
+    if offered and not hasattr(view, PROPERTY):
+        view.addProperty("App::PropertyEnumeration", PROPERTY, "Trabecula", "What the colours mean")
+        setattr(view, PROPERTY, list(offered))
+
+
+def is_coloured(obj: Any) -> bool:
+    """Return whether the colours of an object mean something."""
+    return getattr(obj.ViewObject, PROPERTY, PLAIN) != PLAIN
+
+
+def colour(obj: Any) -> None:
+    """Colour an object by what its view property says, and show the legend.
+
+    Raises
+    ------
+    TrabeculaError
+        If it cannot be coloured by that; it is plain then.
+    """
+    view, found = obj.ViewObject, _legends.setdefault(obj.Document.Name, {})
+    was_coloured = found.pop(obj.Name, None) is not None
+    try:
+        if is_coloured(obj):
+            colouring = colouring_of(obj, getattr(view, PROPERTY))
+            _put(view, colouring.colours)
+            found[obj.Name] = colouring.legend
+        elif was_coloured:
+            _put(view, None)
+    except TrabeculaError:
+        _put(view, None)
+        raise
+    finally:
+        show_legends(obj.Document.Name)
+
+
+def refresh(obj: Any) -> None:
+    """Colour an object, whose property or result changed, as soon as the event loop is free."""
+    key = obj.Document.Name, obj.Name
+    if key not in _waiting:
+        _waiting.add(key)
+        invoke_later(lambda: _refresh(*key))
+
+
+def _refresh(document: str, name: str) -> None:
+    _waiting.discard((document, name))
+    obj = FreeCAD.getDocument(document).getObject(name) if document in FreeCAD.listDocuments() else None
+    if obj is None:
+        return
+    try:
+        colour(obj)
+    except TrabeculaError as error:
+        FreeCAD.Console.PrintWarning(f"{error}\n")
+
+
+def legends_of(document: str) -> tuple:
+    """Return the legends that the views of a document show."""
+    return _overlays[document].legends if document in _overlays else ()
+
+
+def show_legends(document: str) -> None:
+    """Show the legends of the coloured objects that are seen."""
+    if document not in FreeCAD.listDocuments():
+        _overlays.pop(document, None)
+        _legends.pop(document, None)
+        return
+    shown = []
+    found = _legends.get(document, {})
+    for obj in FreeCAD.getDocument(document).Objects if found else ():
+        if obj.Name in found and obj.ViewObject.Visibility:
+            shown.append(Titled(found[obj.Name], obj.Label))
+    if shown or document in _overlays:
+        _overlays.setdefault(document, LegendOverlay()).show(document, shown)
+
+
+# ------------------------------------------------------------------------------------------------ into the scene
+
+
+def _put(view: Any, colours: Optional[np.ndarray]) -> None:
+    """Give faces, edges or triangles their colours (N, 3) of 0..255; None gives back the plain one."""
+    if hasattr(view.Object, "Mesh"):
+        _put_on_triangles(view, colours)
+        return
+    has_faces = hasattr(view.Object, "RodKeys")
+    name = "DiffuseColor" if has_faces else "LineColorArray"
+    if len(getattr(view, name)) <= 1:
+        _keep_plain(view, view.ShapeColor if has_faces else view.LineColor)
+    plain = getattr(view, _KEPT)[:3]
+    rows = [plain] if colours is None else (colours / 255.0).tolist()
+    if not has_faces and colours is not None:  # the pores keep theirs
+        rows += [plain] * max(view.Object.Shape.countElement("Edge") - len(rows), 0)
+    fourth = _fourth(view) if has_faces else 0.0
+    setattr(view, name, [(*row, fourth) for row in rows])
+
+
+def _keep_plain(view: Any, plain: Any) -> None:
+    """FreeCAD 1.x takes the first face's colour for that of the whole: the plain one is kept aside."""
+    if not hasattr(view, _KEPT):
+        view.addProperty("App::PropertyColor", _KEPT, "Trabecula", "Colour when plain")
+        view.setEditorMode(_KEPT, 2)
+    setattr(view, _KEPT, plain[:3])
+
+
+def _fourth(view: Any) -> float:
+    """The fourth number of a colour: how clear it is up to FreeCAD 0.21, how dense since 1.0."""
+    clear = view.Transparency / 100.0
+    return 1.0 - clear if hasattr(view, "ShapeAppearance") else clear
+
+
+def _put_on_triangles(view: Any, colours: Optional[np.ndarray]) -> None:
+    """Triangles have no colours of their own in FreeCAD's meshes, but the scene knows how to draw them."""
+    material, binding = _first(view.RootNode, coin.SoMaterial), _first(view.RootNode, coin.SoMaterialBinding)
+    if material is None or binding is None:
+        return
+    if colours is None:
+        binding.value = coin.SoMaterialBinding.OVERALL
+        plain = view.ShapeColor[:3]
+        material.diffuseColor.setNum(1)
+        material.diffuseColor.setValue(*plain)
+        return
+    table, numbers = np.unique(colours, axis=0, return_inverse=True)
+    values = np.ascontiguousarray((table / 255.0)[numbers.reshape(-1)].astype(np.float32))
+    material.diffuseColor.setNum(len(values))
+    material.diffuseColor.setValues(0, len(values), values)
+    binding.value = coin.SoMaterialBinding.PER_FACE
+
+
+def _first(root: Any, kind: Any) -> Any:
+    """The first node of a kind, which all display modes of a mesh share; also where a mode is switched off."""
+    search = coin.SoSearchAction()
+    search.setType(kind.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.FIRST)
+    search.setSearchingAll(True)
+    search.apply(root)
+    path = search.getPath()
+    return path.getTail() if path is not None else None
+
+
+class _Observer:
+    """Forgets documents that are closed, and follows names and deletions (FreeCAD's observer protocol)."""
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """Forget its legends; its views go with it."""
+        _overlays.pop(document.Name, None)
+        _legends.pop(document.Name, None)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        """Take its legend away."""
+        if _legends.get(obj.Document.Name, {}).pop(obj.Name, None) is not None:
+            name = obj.Document.Name
+            invoke_later(lambda: show_legends(name))
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        """Follow its label."""
+        if name == "Label" and obj.Name in _legends.get(obj.Document.Name, {}):
+            show_legends(obj.Document.Name)
+
+
+_observer = _Observer()
+FreeCAD.addDocumentObserver(_observer)
