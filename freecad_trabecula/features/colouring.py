@@ -26,6 +26,8 @@ from .wireframe import Wireframe, recall
 PLAIN = "plain"
 _POROSITY = tuple(f"porosity along {axis}" for axis in AXES)
 _TRABECULAE = tuple(f"trabeculae along {axis}" for axis in AXES)
+#: What layers and slices can be coloured by; not every object by each.
+LAYER_COLOURINGS = (*_POROSITY, *_TRABECULAE)
 _INWARDS = 1e-3  # of a layer: a triangle between two layers belongs to that with the material
 
 
@@ -34,7 +36,7 @@ def choices(obj: Any) -> Tuple[str, ...]:
     if is_a(obj, Network, Wireframe):
         return (PLAIN, *ROD_COLOURINGS)
     if is_a(obj, VoxelDesign):
-        return (PLAIN, *_POROSITY, *_TRABECULAE)
+        return (PLAIN, *LAYER_COLOURINGS)
     if is_a(obj, Scaffold, Body):
         return (PLAIN, *_POROSITY)
     return ()

@@ -9,12 +9,12 @@ import FreeCAD
 import FreeCADGui
 
 from ..core.presets import PRESETS
-from . import analysis_commands, help_commands, rod_commands, study_commands, voxel_commands
+from . import analysis_commands, help_commands, rod_commands, seeing_commands, study_commands, voxel_commands
 from .command import Command
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 #: Modules whose ``COMMANDS`` are registered.
-MODULES = (rod_commands, analysis_commands, voxel_commands, study_commands, help_commands)
+MODULES = (rod_commands, analysis_commands, voxel_commands, seeing_commands, study_commands, help_commands)
 #: Title of a toolbar, title of its submenu, and the names of the commands in it; "" is a gap.
 GROUPS = (
     (
@@ -38,6 +38,11 @@ GROUPS = (
             *("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_VoxelTables", "Trabecula_WatchLayer", ""),
             *("Trabecula_LayerShapes", "Trabecula_VoxelExport"),
         ),
+    ),
+    (
+        QT_TRANSLATE_NOOP("Workbench", "Trabecula seeing"),
+        QT_TRANSLATE_NOOP("Workbench", "S&eeing"),
+        ("Trabecula_Colours", "Trabecula_Sights"),
     ),
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula study"),

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that change what is seen, not what is there: colours that mean something, how far the eye looks through."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any, List, Tuple
+
+import FreeCAD
+
+from ..core.rod_colours import ROD_COLOURINGS
+from ..features.colouring import LAYER_COLOURINGS, PLAIN, choices
+from ..features.relations import type_of
+from .colouring import PROPERTY, colour
+from .command import Command, active_document, selected_objects
+from .transactions import record, transaction
+from .transparency import SIGHTS, look_through
+
+translate = FreeCAD.Qt.translate
+
+
+def _colourable(by: str) -> List[Any]:
+    """Selected objects that can be coloured by something; else those of the document that are seen."""
+    document = active_document()
+    chosen = [obj for obj in selected_objects() if by in choices(obj)]
+    seen = [obj for obj in document.Objects if obj.ViewObject.Visibility and by in choices(obj)] if document else []
+    return chosen or seen
+
+
+class ColourBy(Command):
+    """Colours objects by one thing, or plainly."""
+
+    ICON, NEEDS = "Trabecula_colours", ("ours",)
+    TIP = "Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen"
+
+    def __init__(self, by: str, text: str) -> None:
+        self._by, self.TEXT = by, text
+        self.NAME = "Trabecula_Colour_" + by.replace(" along ", "_")
+
+    def reason(self) -> str:
+        """Return why not: nothing that is seen has such colours."""
+        without = translate("Trabecula", "nothing that is seen can be coloured by that")
+        return super().reason() or ("" if _colourable(self._by) else without)
+
+    def run(self, index: int) -> None:
+        """Colour them; what cannot be coloured stays as it was."""
+        document = active_document()
+        with transaction(document, "Colour by"):
+            for obj in _colourable(self._by):
+                record(f"FreeCADGui.getDocument({document.Name!r}).getObject({obj.Name!r}).{PROPERTY} = {self._by!r}")
+                colour(obj)
+
+
+#: What colours can mean and what the menu says, in its order.
+_COLOURINGS = (
+    (PLAIN, "Plain colours"),
+    *zip(ROD_COLOURINGS, ("Rods by size", "Rods by coupling", "Rods by recovery")),
+    *zip(
+        LAYER_COLOURINGS,
+        (
+            *("Porosity of slices along X", "Porosity of slices along Y", "Porosity of slices along Z"),
+            *("Trabeculae in layers along X", "Trabeculae in layers along Y", "Trabeculae in layers along Z"),
+        ),
+    ),
+)
+_COLOUR_COMMANDS = tuple(partial(ColourBy, by, text) for by, text in _COLOURINGS)
+
+
+class Colours(Command):
+    """The group of the colours: one button with a menu."""
+
+    NAME, ICON, NEEDS = "Trabecula_Colours", "Trabecula_colours", ("ours",)
+    TEXT, TIP = "Colours", ColourBy.TIP
+
+    def GetCommands(self) -> Tuple[str, ...]:
+        """Return the commands of the group."""
+        return tuple(kind().NAME for kind in _COLOUR_COMMANDS)
+
+    def GetDefaultCommand(self) -> int:
+        """Return which of them the button itself means."""
+        return 1
+
+
+class LookThrough(Command):
+    """Makes designs and their envelopes let the eye through, or not."""
+
+    NEEDS = ("ours",)
+
+    def __init__(self, sight: str, text: str, tip: str) -> None:
+        self._sight, self.TEXT, self.TIP = sight, text, tip
+        self.NAME, self.ICON = f"Trabecula_Sight_{sight}", f"Trabecula_sight_{sight}"
+
+    def run(self, index: int) -> None:
+        """Set what is seen of the selected design, or of all, in one step."""
+        document = active_document()
+        chosen = [obj for obj in selected_objects() if type_of(obj)]
+        with transaction(document, "Look through"):
+            look_through(document, self._sight, chosen)
+
+
+_SIGHT_COMMANDS = (
+    partial(LookThrough, "solid", "Solid", "Show bodies solid, no envelope. Select a design, or nothing for all"),
+    partial(
+        LookThrough, "glass", "Glass envelope", "Show bodies in a clear envelope. Select a design, or nothing for all"
+    ),
+    partial(LookThrough, "xray", "X-ray", "Look through bodies and envelope. Select a design, or nothing for all"),
+)
+
+
+class Sights(Command):
+    """The group of the ways to look through: one button with a menu."""
+
+    NAME, ICON, NEEDS = "Trabecula_Sights", "Trabecula_sight_glass", ("ours",)
+    TEXT, TIP = "Look through", "Solid, in a glass envelope, or as an X-ray. Select a design, or nothing for all"
+
+    def GetCommands(self) -> Tuple[str, ...]:
+        """Return the commands of the group."""
+        return tuple(f"Trabecula_Sight_{sight}" for sight in SIGHTS)
+
+    def GetDefaultCommand(self) -> int:
+        """Return which of them the button itself means."""
+        return 1
+
+
+#: In the order of toolbar and menu; those of the groups besides.
+COMMANDS = (Colours, Sights, *_COLOUR_COMMANDS, *_SIGHT_COMMANDS)
