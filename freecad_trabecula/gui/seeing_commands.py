@@ -4,12 +4,11 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, List, Tuple
+from typing import Any, Dict, List, Tuple
 
 import FreeCAD
 
-from ..core.rod_colours import ROD_COLOURINGS
-from ..features.colouring import LAYER_COLOURINGS, PLAIN, choices
+from ..features.colouring import choices
 from ..features.relations import type_of
 from .colouring import PROPERTY, colour
 from .command import Command, active_document, selected_objects
@@ -17,6 +16,7 @@ from .transactions import record, transaction
 from .transparency import SIGHTS, look_through
 
 translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 def _colourable(by: str) -> List[Any]:
@@ -27,10 +27,21 @@ def _colourable(by: str) -> List[Any]:
     return chosen or seen
 
 
-class ColourBy(Command):
+class OfGroup(Command):
+    """A command of a group, whose texts stand in the group's context."""
+
+    GROUP = ""
+
+    def GetResources(self) -> Dict[str, str]:
+        """Return icon, text and tooltip."""
+        texts = {"MenuText": translate(self.GROUP, self.TEXT), "ToolTip": translate(self.GROUP, self.TIP)}
+        return {**super().GetResources(), **texts}
+
+
+class ColourBy(OfGroup):
     """Colours objects by one thing, or plainly."""
 
-    ICON, NEEDS = "Trabecula_colours", ("ours",)
+    GROUP, ICON, NEEDS = "Trabecula_Colours", "Trabecula_colours", ("ours",)
     TIP = "Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen"
 
     def __init__(self, by: str, text: str) -> None:
@@ -45,32 +56,34 @@ class ColourBy(Command):
     def run(self, index: int) -> None:
         """Colour them; what cannot be coloured stays as it was."""
         document = active_document()
-        with transaction(document, "Colour by"):
+        with transaction(document, translate("Trabecula", "Colour by")):
             for obj in _colourable(self._by):
                 record(f"FreeCADGui.getDocument({document.Name!r}).getObject({obj.Name!r}).{PROPERTY} = {self._by!r}")
                 colour(obj)
 
 
-#: What colours can mean and what the menu says, in its order.
-_COLOURINGS = (
-    (PLAIN, "Plain colours"),
-    *zip(ROD_COLOURINGS, ("Rods by size", "Rods by coupling", "Rods by recovery")),
-    *zip(
-        LAYER_COLOURINGS,
-        (
-            *("Porosity of slices along X", "Porosity of slices along Y", "Porosity of slices along Z"),
-            *("Trabeculae in layers along X", "Trabeculae in layers along Y", "Trabeculae in layers along Z"),
-        ),
-    ),
-)
-_COLOUR_COMMANDS = tuple(partial(ColourBy, by, text) for by, text in _COLOURINGS)
+#: What the menu says, by what colours can mean, in its order.
+_COLOURINGS = {
+    "plain": QT_TRANSLATE_NOOP("Trabecula_Colours", "Plain colours"),
+    "size": QT_TRANSLATE_NOOP("Trabecula_Colours", "Rods by size"),
+    "coupling": QT_TRANSLATE_NOOP("Trabecula_Colours", "Rods by coupling"),
+    "recovery": QT_TRANSLATE_NOOP("Trabecula_Colours", "Rods by recovery"),
+    "porosity along x": QT_TRANSLATE_NOOP("Trabecula_Colours", "Porosity of slices along X"),
+    "porosity along y": QT_TRANSLATE_NOOP("Trabecula_Colours", "Porosity of slices along Y"),
+    "porosity along z": QT_TRANSLATE_NOOP("Trabecula_Colours", "Porosity of slices along Z"),
+    "trabeculae along x": QT_TRANSLATE_NOOP("Trabecula_Colours", "Trabeculae in layers along X"),
+    "trabeculae along y": QT_TRANSLATE_NOOP("Trabecula_Colours", "Trabeculae in layers along Y"),
+    "trabeculae along z": QT_TRANSLATE_NOOP("Trabecula_Colours", "Trabeculae in layers along Z"),
+}
+_COLOUR_COMMANDS = tuple(partial(ColourBy, by, text) for by, text in _COLOURINGS.items())
 
 
 class Colours(Command):
     """The group of the colours: one button with a menu."""
 
     NAME, ICON, NEEDS = "Trabecula_Colours", "Trabecula_colours", ("ours",)
-    TEXT, TIP = "Colours", ColourBy.TIP
+    TEXT = "Colours"
+    TIP = "Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen"
 
     def GetCommands(self) -> Tuple[str, ...]:
         """Return the commands of the group."""
@@ -81,10 +94,10 @@ class Colours(Command):
         return 1
 
 
-class LookThrough(Command):
+class LookThrough(OfGroup):
     """Makes designs and their envelopes let the eye through, or not."""
 
-    NEEDS = ("ours",)
+    GROUP, NEEDS = "Trabecula_Sights", ("ours",)
 
     def __init__(self, sight: str, text: str, tip: str) -> None:
         self._sight, self.TEXT, self.TIP = sight, text, tip
@@ -94,17 +107,28 @@ class LookThrough(Command):
         """Set what is seen of the selected design, or of all, in one step."""
         document = active_document()
         chosen = [obj for obj in selected_objects() if type_of(obj)]
-        with transaction(document, "Look through"):
+        with transaction(document, translate("Trabecula", "Look through")):
             look_through(document, self._sight, chosen)
 
 
-_SIGHT_COMMANDS = (
-    partial(LookThrough, "solid", "Solid", "Show bodies solid, no envelope. Select a design, or nothing for all"),
-    partial(
-        LookThrough, "glass", "Glass envelope", "Show bodies in a clear envelope. Select a design, or nothing for all"
+_SIGHTS = (
+    (
+        "solid",
+        QT_TRANSLATE_NOOP("Trabecula_Sights", "Solid"),
+        QT_TRANSLATE_NOOP("Trabecula_Sights", "Show bodies solid, no envelope. Select a design, or nothing for all"),
     ),
-    partial(LookThrough, "xray", "X-ray", "Look through bodies and envelope. Select a design, or nothing for all"),
+    (
+        "glass",
+        QT_TRANSLATE_NOOP("Trabecula_Sights", "Glass envelope"),
+        QT_TRANSLATE_NOOP("Trabecula_Sights", "Show bodies in a clear envelope. Select a design, or nothing for all"),
+    ),
+    (
+        "xray",
+        QT_TRANSLATE_NOOP("Trabecula_Sights", "X-ray"),
+        QT_TRANSLATE_NOOP("Trabecula_Sights", "Look through bodies and envelope. Select a design, or nothing for all"),
+    ),
 )
+_SIGHT_COMMANDS = tuple(partial(LookThrough, *row) for row in _SIGHTS)
 
 
 class Sights(Command):
