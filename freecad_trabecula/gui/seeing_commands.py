@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any, Dict, List, Tuple
+from typing import Any, List, Tuple
 
 import FreeCAD
 
@@ -16,7 +16,6 @@ from .transactions import record, transaction
 from .transparency import SIGHTS, look_through
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
 def _colourable(by: str) -> List[Any]:
@@ -27,22 +26,13 @@ def _colourable(by: str) -> List[Any]:
     return chosen or seen
 
 
-class OfGroup(Command):
-    """A command of a group, whose texts stand in the group's context."""
-
-    GROUP = ""
-
-    def GetResources(self) -> Dict[str, str]:
-        """Return icon, text and tooltip."""
-        texts = {"MenuText": translate(self.GROUP, self.TEXT), "ToolTip": translate(self.GROUP, self.TIP)}
-        return {**super().GetResources(), **texts}
-
-
-class ColourBy(OfGroup):
+class ColourBy(Command):
     """Colours objects by one thing, or plainly."""
 
-    GROUP, ICON, NEEDS = "Trabecula_Colours", "Trabecula_colours", ("ours",)
-    TIP = "Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen"
+    ICON, NEEDS = "Trabecula_colours", ("ours",)
+    TIP = translate(
+        "Trabecula", "Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen"
+    )
 
     def __init__(self, by: str, text: str) -> None:
         self._by, self.TEXT = by, text
@@ -64,16 +54,16 @@ class ColourBy(OfGroup):
 
 #: What the menu says, by what colours can mean, in its order.
 _COLOURINGS = {
-    "plain": QT_TRANSLATE_NOOP("Trabecula_Colours", "Plain colours"),
-    "size": QT_TRANSLATE_NOOP("Trabecula_Colours", "Rods by size"),
-    "coupling": QT_TRANSLATE_NOOP("Trabecula_Colours", "Rods by coupling"),
-    "recovery": QT_TRANSLATE_NOOP("Trabecula_Colours", "Rods by recovery"),
-    "porosity along x": QT_TRANSLATE_NOOP("Trabecula_Colours", "Porosity of slices along X"),
-    "porosity along y": QT_TRANSLATE_NOOP("Trabecula_Colours", "Porosity of slices along Y"),
-    "porosity along z": QT_TRANSLATE_NOOP("Trabecula_Colours", "Porosity of slices along Z"),
-    "trabeculae along x": QT_TRANSLATE_NOOP("Trabecula_Colours", "Trabeculae in layers along X"),
-    "trabeculae along y": QT_TRANSLATE_NOOP("Trabecula_Colours", "Trabeculae in layers along Y"),
-    "trabeculae along z": QT_TRANSLATE_NOOP("Trabecula_Colours", "Trabeculae in layers along Z"),
+    "plain": translate("Trabecula", "Plain colours"),
+    "size": translate("Trabecula", "Rods by size"),
+    "coupling": translate("Trabecula", "Rods by coupling"),
+    "recovery": translate("Trabecula", "Rods by recovery"),
+    "porosity along x": translate("Trabecula", "Porosity of slices along X"),
+    "porosity along y": translate("Trabecula", "Porosity of slices along Y"),
+    "porosity along z": translate("Trabecula", "Porosity of slices along Z"),
+    "trabeculae along x": translate("Trabecula", "Trabeculae in layers along X"),
+    "trabeculae along y": translate("Trabecula", "Trabeculae in layers along Y"),
+    "trabeculae along z": translate("Trabecula", "Trabeculae in layers along Z"),
 }
 _COLOUR_COMMANDS = tuple(partial(ColourBy, by, text) for by, text in _COLOURINGS.items())
 
@@ -94,10 +84,10 @@ class Colours(Command):
         return 1
 
 
-class LookThrough(OfGroup):
+class LookThrough(Command):
     """Makes designs and their envelopes let the eye through, or not."""
 
-    GROUP, NEEDS = "Trabecula_Sights", ("ours",)
+    NEEDS = ("ours",)
 
     def __init__(self, sight: str, text: str, tip: str) -> None:
         self._sight, self.TEXT, self.TIP = sight, text, tip
@@ -114,18 +104,18 @@ class LookThrough(OfGroup):
 _SIGHTS = (
     (
         "solid",
-        QT_TRANSLATE_NOOP("Trabecula_Sights", "Solid"),
-        QT_TRANSLATE_NOOP("Trabecula_Sights", "Show bodies solid, no envelope. Select a design, or nothing for all"),
+        translate("Trabecula", "Solid"),
+        translate("Trabecula", "Show bodies solid, no envelope. Select a design, or nothing for all"),
     ),
     (
         "glass",
-        QT_TRANSLATE_NOOP("Trabecula_Sights", "Glass envelope"),
-        QT_TRANSLATE_NOOP("Trabecula_Sights", "Show bodies in a clear envelope. Select a design, or nothing for all"),
+        translate("Trabecula", "Glass envelope"),
+        translate("Trabecula", "Show bodies in a clear envelope. Select a design, or nothing for all"),
     ),
     (
         "xray",
-        QT_TRANSLATE_NOOP("Trabecula_Sights", "X-ray"),
-        QT_TRANSLATE_NOOP("Trabecula_Sights", "Look through bodies and envelope. Select a design, or nothing for all"),
+        translate("Trabecula", "X-ray"),
+        translate("Trabecula", "Look through bodies and envelope. Select a design, or nothing for all"),
     ),
 )
 _SIGHT_COMMANDS = tuple(partial(LookThrough, *row) for row in _SIGHTS)
