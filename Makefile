@@ -8,6 +8,7 @@
 # make same-seed    the same designs on both FreeCADs, compared
 # make gallery      pictures of every panel and design    make lint     ruff and the test of the layers
 # make translations refreshes the .ts files from the sources, and packs them into .qm
+# make release      checks, the archive, installed into a clean FreeCAD home and tested there; VERSION=0.2.0 names it first
 # make setup        what the others do first: installs what is missing by apt and pip, and says what
 # make clean        removes build/
 
@@ -16,10 +17,10 @@ LATEST = sh tools/newest_freecad.sh run
 CHOICE = $(if $(ONLY),--only $(ONLY)) $(if $(MATCH),--match $(MATCH))
 
 .PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery translations lint
-.PHONY: format clean
+.PHONY: release format clean
 
 help:
-	@sed -n '3,12s/^# \{0,1\}//p' Makefile
+	@sed -n '3,13s/^# \{0,1\}//p' Makefile
 
 setup:
 	@sh tools/setup.sh
@@ -61,6 +62,9 @@ same-seed: setup
 # lrelease is installed by the command itself, when it is run.
 translations:
 	@$(PYTHON) tools/translations.py
+
+release: setup
+	@$(PYTHON) tools/release.py $(if $(VERSION),--version $(VERSION)) $(ARGS)
 
 lint:
 	@sh tools/ruff.sh check --output-format concise .
