@@ -3,7 +3,7 @@
 
     python3 tools/release.py                     all steps; the archive is left in build/release
     python3 tools/release.py --version 0.2.0     writes version and day into package.xml, CITATION.cff, CHANGELOG.md
-    python3 tools/release.py --draft             a changelog that says "unreleased", a tree with changes are no fault
+    python3 tools/release.py --draft             no release, but a try: tells all that would forbid one
 
 The version stands in package.xml; the other two files are made to agree. Steps: package.xml and the files that must
 agree with it; nothing uncommitted; translations fresh; ruff, the layers, the house style, links, licences; the
@@ -65,24 +65,26 @@ def numbers_of(version):
     return [int(number) for number in version.split(".")]
 
 
-def check_files(draft):
+def check_files():
     """Return what forbids a release of the tree as it is."""
     faults = check_package.faults_of(ROOT)
     changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    if not draft and "(unreleased)" in changelog:
+    if "(unreleased)" in changelog:
         faults.append("CHANGELOG.md says unreleased: name the version, make release VERSION=x.y.z")
     status = subprocess.run(["git", "-C", str(ROOT), "status", "--porcelain"], stdout=subprocess.PIPE, check=True)
-    if not draft and status.stdout.strip():
+    if status.stdout.strip():
         faults.append("what is released must be committed:\n" + status.stdout.decode("utf-8", "replace"))
     return faults
 
 
-def step(title, command):
-    """Run one step and end everything if it fails."""
+def step(title, command, failed=None):
+    """Run one step and end everything if it fails; with a list ``failed`` note its title there and go on."""
     started = time.time()
     print("==== " + title, flush=True)
     done = subprocess.run([str(word) for word in command], cwd=str(ROOT), stdin=subprocess.DEVNULL, check=False)
-    if done.returncode:
+    if done.returncode and failed is not None:
+        failed.append(title)
+    elif done.returncode:
         sys.exit("release: %s failed (exit code %d)" % (title, done.returncode))
     print("==== %s: %.0f s" % (title, time.time() - started), flush=True)
 
@@ -114,20 +116,24 @@ def main():
         set_version(ROOT, choices.version, datetime.date.today().isoformat())
         print("release: version %s is written; commit it, then: make release" % choices.version)
         return 0
-    faults = check_files(choices.draft)
-    if faults:
-        sys.exit("\n".join("release: " + fault for fault in faults))
+    faults = check_files()
+    print("\n".join("release: " + fault for fault in faults), flush=True)
+    if faults and not choices.draft:
+        return 1
     version = check_package.version_of(ROOT)
     print("==== package.xml, CITATION.cff, CHANGELOG.md: version %s" % version, flush=True)
-    step("translations", (PYTHON, "tools/translations.py", "--check"))
-    step("lint", ("make", "lint"))
+    failed = [] if choices.draft else None
+    step("translations", (PYTHON, "tools/translations.py", "--check"), failed)
+    step("lint", ("make", "lint"), failed)
     tests = [ROOT / "tests" / (name + ".py") for name in PACKAGE_TESTS]
-    step("tests of the package", (*PYTEST, *(one for one in tests if one.exists())))
+    step("tests of the package", (*PYTEST, *(one for one in tests if one.exists())), failed)
     path = make_archive(ROOT / "build" / "release", version)
-    step("installed from the archive, this FreeCAD", (*PYTEST, "tests/release"))
-    step("the newest FreeCAD is there", ("sh", "tools/newest_freecad.sh", "build"))
+    step("installed from the archive, this FreeCAD", (*PYTEST, "tests/release"), failed)
+    step("the newest FreeCAD is there", ("sh", "tools/newest_freecad.sh", "build"), failed)
     newest = ("sh", "tools/newest_freecad.sh", "run")
-    step("installed from the archive, newest FreeCAD", (*newest, *PYTEST, "tests/release"))
+    step("installed from the archive, newest FreeCAD", (*newest, *PYTEST, "tests/release"), failed)
+    if failed:
+        sys.exit("release: as a release this would have failed: " + ", ".join(failed))
     print("release: %s is ready. Left to do: run .ci/run, then git tag v%s && git push --tags" % (path.name, version))
     return 0
 
