@@ -117,7 +117,8 @@ def main():
         print("release: version %s is written; commit it, then: make release" % choices.version)
         return 0
     faults = check_files()
-    print("\n".join("release: " + fault for fault in faults), flush=True)
+    for fault in faults:
+        print("release: " + fault, flush=True)
     if faults and not choices.draft:
         return 1
     version = check_package.version_of(ROOT)
