@@ -19,6 +19,7 @@ from .stateless import Stateless
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 UP_TO_DATE = "up to date"
 ERROR = "error: "
+PASTED = "pasted: recompute the document"
 
 
 class Property(NamedTuple):
@@ -97,14 +98,24 @@ class Feature(Stateless):
         raise NotImplementedError
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Bring an object of an older version up to date, one step at a time."""
+        """Bring an object of an older version up to date, one step at a time.
+
+        One that was pasted is due for a recompute: where what it is linked to was not copied with it, FreeCAD links it
+        to nothing, or to what has the same name in its new document. If all is as it was nothing is computed again.
+        """
         touched = "Touched" in obj.State
         migrations.migrate(obj, self.MIGRATIONS)
         if obj.SchemaVersion <= migrations.SCHEMA_VERSION:
             self.add_properties(obj)
+        if obj.Document.Importing:
+            obj.Status = PASTED
         if not touched:
             obj.purgeTouched()  # limits were set again, nothing else
         attach_view(obj)
+
+    def mustExecute(self, obj: Any) -> bool:
+        """Return whether the object is due for a recompute though nothing touched it; FreeCAD asks often."""
+        return getattr(obj, "Status", "") == PASTED
 
 
 def is_a(obj: Any, *types: Type[Feature]) -> bool:
