@@ -118,6 +118,13 @@ class Feature(Stateless):
         return getattr(obj, "Status", "") == PASTED
 
 
+def show_in_place(obj: Any, name: str, value: Any) -> None:
+    """Assign a shape or a mesh; whoever moved the object, with Draft or by hand, it stays where it stands."""
+    place = obj.Placement
+    setattr(obj, name, value)
+    obj.Placement = place
+
+
 def is_a(obj: Any, *types: Type[Feature]) -> bool:
     """Return whether a document object is one of ours, of the given classes if any are given."""
     return isinstance(getattr(obj, "Proxy", None), types or Feature)

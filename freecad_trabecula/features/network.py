@@ -17,7 +17,7 @@ from ..core.progress import Progress, silent
 from ..errors import KernelError, ParameterError
 from ..geometry.rod_solids import measured_rods
 from . import results
-from .feature import is_a, result
+from .feature import is_a, result, show_in_place
 from .on_demand import OnDemand, on_demand
 from .wireframe import Wireframe
 
@@ -94,8 +94,7 @@ class Network(OnDemand):
         obj.LargestDifference = 100 * float(differences(value).max(initial=0.0))
         obj.RodKeys, obj.RodNames = list(value.keys), list(value.names)
         obj.RodVolumes, obj.RodMeshVolumes = value.volumes.tolist(), value.mesh_volumes.tolist()
-        obj.Shape = value.compound
-        obj.Placement = FreeCAD.Placement()
+        show_in_place(obj, "Shape", value.compound)
 
     def said(self, obj: Any) -> str:
         """Return rods and volume."""
@@ -123,7 +122,7 @@ def kept_rods(obj: Any) -> Dict[str, Kept]:
 
 
 def shown_rods(obj: Any) -> Rods:
-    """Return the rods that an object shows; whoever moved the network, they stand in the envelope."""
+    """Return the rods that an object shows; where they stand in the envelope."""
     shape = obj.Shape.copy(False)
     shape.Placement = FreeCAD.Placement()
     names, volumes, mesh_volumes = tuple(obj.RodNames), np.array(obj.RodVolumes), np.array(obj.RodMeshVolumes)

@@ -17,7 +17,7 @@ from ..geometry.cutting import make_bodies
 from ..geometry.mesh_objects import mesh_object
 from . import results
 from .base import read_parameters
-from .feature import UP_TO_DATE, Feature, Property, is_a, result
+from .feature import UP_TO_DATE, Feature, Property, is_a, result, show_in_place
 from .network import wireframe_object
 from .on_demand import OUT_OF_DATE, OnDemand, on_demand
 from .wireframe import Inputs, made
@@ -93,7 +93,7 @@ class Scaffold(OnDemand):
         for name, figure in value.figures.items():
             setattr(obj, name, figure)
         obj.Checks = [str(check) for check in value.checks]
-        obj.Mesh = value.meshes["scaffold"]
+        show_in_place(obj, "Mesh", value.meshes["scaffold"])
 
     def said(self, obj: Any) -> str:
         """Return the porosity and what else is to be known."""
@@ -119,7 +119,7 @@ class Body(Feature):
         key = f"{obj.Scaffold.ResultKey} {obj.Role}"
         value = results.find("scaffold", obj.Scaffold.ResultKey)
         if value is not None:
-            obj.Mesh = value.meshes[obj.Role]
+            show_in_place(obj, "Mesh", value.meshes[obj.Role])
             obj.Facets, obj.ResultKey = obj.Mesh.CountFacets, key
         return UP_TO_DATE if obj.Scaffold.UpToDate and obj.ResultKey == key else OUT_OF_DATE
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
-
 from ..core.parameters import ScaffoldParameters
 from ..core.progress import Progress, silent
 from ..errors import KernelError
 from ..geometry.scaffold_solids import SolidCut, cut_solid
 from . import results
 from .base import read_parameters
-from .feature import result
+from .feature import result, show_in_place
 from .network import wireframe_object
 from .on_demand import OnDemand, on_demand
 from .wireframe import Inputs, made
@@ -62,8 +60,7 @@ class SolidScaffold(OnDemand):
             )
         obj.ScaffoldVolume = value.shape.Volume
         obj.Porosity = 100 * (1 - value.shape.Volume / wireframe_object(obj).Envelope.Shape.Volume)
-        obj.Shape = value.shape
-        obj.Placement = FreeCAD.Placement()
+        show_in_place(obj, "Shape", value.shape)
 
     def said(self, obj: Any) -> str:
         """Return the number of rods and the double entry."""

@@ -30,7 +30,7 @@ from ..errors import ExportError, KernelError, ParameterError
 from ..geometry.mesh_objects import mesh_object
 from . import results
 from .base import read_parameters
-from .feature import HIDDEN, Property, result
+from .feature import HIDDEN, Property, result, show_in_place
 from .on_demand import OnDemand, waiting
 from .packing import from_numbers, to_numbers
 from .voxel_inputs import Inputs, inputs_of, is_table, read_inputs, sample_of, triangles_of
@@ -147,7 +147,7 @@ class VoxelDesign(OnDemand):
         obj.Structure, obj.Numbers = to_numbers(_kept(design))
         for name, figure in figures.items():
             setattr(obj, name, figure)
-        obj.Mesh = value.mesh
+        show_in_place(obj, "Mesh", value.mesh)
 
     def said(self, obj: Any) -> str:
         """Return how many voxels in how many parts."""

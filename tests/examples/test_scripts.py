@@ -75,6 +75,17 @@ def test_case_6_says_147_rods_and_leaves_closed_meshes_that_add_up(outputs):
     assert all(is_closed(mesh) for mesh in meshes)
 
 
+def test_a_design_follows_its_spreadsheet(outputs):
+    _, _, said = outputs("spreadsheet.py")
+    rows = re.findall(r"(\d+) rods, pores up to ([\d.]+) mm, (\d+) mm3, ([\d.]+) %", said)
+    assert [int(row[0]) for row in rows] == [75, 75, 48]
+    # 0.4 of the step between two sites, (edge - 2 borders) / (rods across - 1)
+    assert [float(row[1]) for row in rows] == pytest.approx([0.8, 1.6, 0.4 * 16 / 3], rel=5e-3)
+    assert [int(row[2]) for row in rows] == [1000, 8000, 8000]
+    # twice as large in every direction is as porous
+    assert float(rows[0][3]) == pytest.approx(float(rows[1][3]), abs=0.02)
+
+
 def test_by_hand_each_change_rebuilds_one_rod_at_most(outputs):
     _, _, said = outputs("by_hand.py")
     steps = dict(re.findall(r"([^\t\r\n]*): \d+ rods, (\d+) built again", said))
