@@ -9,12 +9,13 @@ import numpy as np
 
 from .couplings import CouplingRow, Pairs, couple
 from .laws import Region
+from .path_laws import PATH_LAWS, PathEnds, draw_paths
 from .pores import Pores, draw_pores, edit_pores, join_pores, mirrored
 from .progress import Progress, part, silent
 from .recovery import mend
 from .rods import RodEnds
 from .sites import Sites
-from .wireframe import Contains, Wireframe, WireframeParameters, draw_paths, end_frames
+from .wireframe import Contains, Wireframe, WireframeParameters, end_frames
 
 
 def make_wireframe(
@@ -81,20 +82,12 @@ def _assemble(
         coupling = parameters.couplings[pair.coupling]
         a, b = sites[coupling.first], sites[coupling.second]
         own = [f"{p}-{q}" for p, q in zip(np.array(a.names)[pair.first], np.array(b.names)[pair.second])]
-        orthogonal = (coupling.path or parameters.path).kind == "orthogonal"
+        path = coupling.path or parameters.path
         frames = end_frames(a, pair.first, b, pair.second)
         first, second = mirrored(drawn[coupling.first].take(pair.first)), drawn[coupling.second].take(pair.second)
-        goal = _feet(a, pair.first, b, pair.second) if orthogonal else b.points[pair.second]
-        paths = draw_paths(
-            coupling.path or parameters.path,
-            own,
-            a.points[pair.first],
-            frames[:, 0, 2],
-            goal,
-            frames[:, 1, 2],
-            region,
-            parameters.seed,
-        )
+        goal = _feet(a, pair.first, b, pair.second) if PATH_LAWS[path.kind].to_feet else b.points[pair.second]
+        between = PathEnds(own, a.points[pair.first], frames[:, 0, 2], goal, frames[:, 1, 2])
+        paths = draw_paths(path, between, region, parameters.seed)
         numbers = np.stack([pair.first, pair.second], 1)
         blocks.append((np.full(len(own), pair.coupling), numbers, paths, frames, first, second))
         names += own

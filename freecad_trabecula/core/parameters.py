@@ -14,11 +14,12 @@ from typing import Any, Optional, Tuple
 
 from ..errors import ParameterError
 from .laws import Law, constant, uniform
+from .path_laws import PATH_LAWS
 
 Point = Tuple[float, float, float]
 
 LAYOUTS = ("circle", "spline")
-PATHS = ("orthogonal", "straight", "centre", "box", "tension")
+PATHS = tuple(PATH_LAWS)
 CHOICES = ("random", "nearest")
 ASSOCIATIONS = ("random", "same")
 ENGINES = ("auto", "mesh", "field", "brep")
@@ -91,8 +92,7 @@ class PathParameters:
     kind: str = _f(
         "box",
         "",
-        "orthogonal: along the normal; straight: joins the sites; centre: 3-point curve through a convergence point; "
-        "box: through a random point of a box about it (Eq. 3.1); tension: 2-point curve along the inner normals",
+        "; ".join(f"{name}: {law.summary}" for name, law in PATH_LAWS.items()),
         choices=PATHS,
     )
     points: Tuple[Point, ...] = _f((), "mm", "Convergence points; none means the centre of the envelope")

@@ -16,11 +16,12 @@ from typing import Any, Dict, List, Optional, Tuple
 import numpy as np
 
 from .laws import Region
+from .path_laws import PATH_LAWS, PathEnds, draw_paths
 from .paths import tension_paths
 from .pores import Pores, draw_pores, mirrored
 from .progress import Progress, part, silent
 from .rods import CARRIED, RodEnds, Rods, build_rods, rod_faults, sharpest_bends
-from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, draw_paths, without
+from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, without
 
 FAULTS = ("loop", "flat", "crossing", "outside")
 REMEDIES: Dict[str, Tuple[str, ...]] = {
@@ -161,10 +162,10 @@ class _Work:
     def _applies(self, remedy: str, rod: int, step: int) -> bool:
         path = self.paths_of[rod]
         if remedy == "middle":
-            return path.kind == "box" or (path.kind == "centre" and len(path.points) > 1)
+            return PATH_LAWS[path.kind].redraws(path)
         if remedy == "tangents":
             return self.parameters.pores.layout == "spline"
-        return path.kind not in ("orthogonal", "straight") and step * TENSION_STEP <= self._most_tension[rod]
+        return PATH_LAWS[path.kind].is_curved and step * TENSION_STEP <= self._most_tension[rod]
 
     def _badness(self, trial: Wireframe, close: bool) -> np.ndarray:
         """Return 0 for a sound rod; else the points outside, or a large number for a fault of the rod itself."""
@@ -191,11 +192,9 @@ class _Work:
         if remedy == "middle":
             paths = some.paths.copy()
             for at, (k, step) in enumerate(zip(which.tolist(), steps.tolist())):
-                frames = ends.frames[at : at + 1]
-                paths[at] = draw_paths(
-                    self.paths_of[k], [some.names[at]], p0[at : at + 1], frames[:, 0, 2], p1[at : at + 1],
-                    frames[:, 1, 2], self.region, self.parameters.seed, step,
-                )[0]  # fmt: skip
+                one = slice(at, at + 1)
+                between = PathEnds(some.names[one], p0[one], ends.frames[one, 0, 2], p1[one], ends.frames[one, 1, 2])
+                paths[at] = draw_paths(self.paths_of[k], between, self.region, self.parameters.seed, step)[0]
             return replace(some, paths=paths)
         return replace(some, ends=self._redrawn_ends(some, steps))
 

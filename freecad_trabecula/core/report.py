@@ -13,6 +13,7 @@ import numpy as np
 from .bodies import Bodies, Check
 from .job import Job
 from .parameters import ScaffoldParameters
+from .path_laws import PATH_LAWS
 from .pores import join_pores
 from .presets import PRESETS, THESIS, preset
 from .records import to_record
@@ -249,7 +250,7 @@ def manual_seconds(design: Union[Job, WireframeParameters], wireframe: Wireframe
     total = 0
     for number, count in Counter(wireframe.coupling.tolist()).items():
         path = design.couplings[number].path or design.path
-        total += count * MANUAL_SECONDS[path.kind not in ("orthogonal", "straight"), design.pores.sections]
+        total += count * MANUAL_SECONDS[PATH_LAWS[path.kind].is_curved, design.pores.sections]
     return float(total)
 
 

@@ -12,6 +12,8 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
+from .path_laws import PATH_LAWS
+
 _VOLUMES = {
     "envelope": "the envelope",
     "layers": "layers added to it",
@@ -130,7 +132,11 @@ def _inputs(job: Mapping[str, Any]) -> List[Tuple[str, str]]:
         ]
     else:
         rows.append(("envelope", " ".join(filter(None, (job["envelope"], _in_brackets(job["solid"]))))))
-    box = ", box of " + " x ".join(f"{edge:g}" for edge in path["box"]) + " mm" if path["kind"] == "box" else ""
+    box = (
+        ", box of " + " x ".join(f"{edge:g}" for edge in path["box"]) + " mm"
+        if "box" in PATH_LAWS[path["kind"]].fields
+        else ""
+    )
     points = "; ".join("(" + ", ".join(f"{c:g}" for c in point) + ")" for point in path["points"])
     rows.append(("path", path["kind"] + box + (f" about {points} mm" if points else "")))
     if layers["faces"]:

@@ -5,18 +5,16 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, List, Sequence, Tuple
+from typing import Callable, Dict, List, Tuple
 
 import numpy as np
 
 from .couplings import CouplingRow
-from .laws import Region
 from .parameters import Coupling, PathParameters, PoreParameters, RodParameters, SiteEdit, check_seed
-from .paths import middle_paths, path_bends, straight_paths, tension_paths
+from .paths import path_bends
 from .pores import Pores
 from .rods import RodEnds, Rods, build_rods, default_deflection, tessellation
 from .sites import Sites
-from .streams import Stream
 
 #: ``contains(points (P, 3)) -> (P,) bool``: whether points lie in the envelope.
 Contains = Callable[[np.ndarray], np.ndarray]
@@ -112,55 +110,6 @@ def end_frames(a: Sites, first: np.ndarray, b: Sites, second: np.ndarray) -> np.
     n0, n1 = -a.normals[first], b.normals[second]
     frames = [np.stack([u, np.cross(n, u), n], 1) for u, n in ((a.u[first], n0), (b.u[second], n1))]
     return np.stack(frames, 1)
-
-
-def draw_paths(
-    path: PathParameters,
-    names: Sequence[str],
-    p0: np.ndarray,
-    n0: np.ndarray,
-    p1: np.ndarray,
-    n1: np.ndarray,
-    region: Region,
-    seed: int,
-    attempt: int = 0,
-) -> np.ndarray:
-    """Return the paths (R, 2, 4, 3) of rods from p0 to p1 (R, 3), mm, with directions of travel n0, n1 (R, 3) there.
-
-    Each rod draws from a stream of its own name; ``attempt`` > 0 draws other middle points.
-    """
-    if path.kind in ("orthogonal", "straight"):
-        return straight_paths(p0, p1)
-    if path.kind == "tension":
-        tensions = [
-            np.array([law.draw(Stream(seed, "tension", end, name), 1, p, region)[0] for name, p in zip(names, points)])
-            for end, (law, points) in enumerate(((path.tension_first, p0), (path.tension_second, p1)))
-        ]
-        return tension_paths(p0, n0, p1, n1, tensions[0].reshape(-1), tensions[1].reshape(-1))
-    return middle_paths(p0, middle_points(path, names, p0, p1, region, seed, attempt), p1)
-
-
-def middle_points(
-    path: PathParameters,
-    names: Sequence[str],
-    p0: np.ndarray,
-    p1: np.ndarray,
-    region: Region,
-    seed: int,
-    attempt: int = 0,
-) -> np.ndarray:
-    """Return the middle points (R, 3), mm: a convergence point, plus a random offset in the box (Eq. 3.1)."""
-    targets = np.array(path.points or (region.centre,), float)
-    drawn = np.array([Stream(seed, "middle", name, attempt).uniform(4) for name in names]).reshape(-1, 4)
-    if path.choice == "nearest":
-        chord = (p0 + p1) / 2
-        chosen = np.linalg.norm(chord[:, None] - targets[None], axis=2).argmin(1)
-    else:
-        chosen = (drawn[:, 0] * len(targets)).astype(int)
-    middle = targets[chosen]
-    if path.kind == "box":
-        middle = middle + (drawn[:, 1:] - 0.5) * np.array(path.box)
-    return middle
 
 
 def without(wireframe: Wireframe, keep: np.ndarray) -> Wireframe:

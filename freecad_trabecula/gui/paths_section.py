@@ -8,7 +8,9 @@ from typing import List, Tuple
 import FreeCAD
 from PySide import QtGui
 
+from ..core.laws import Law
 from ..core.parameters import PathParameters, Point
+from ..core.path_laws import PATH_LAWS
 from .fields import Changed, PointField, row_widget
 from .form import Form
 from .language import choice, local_number
@@ -16,13 +18,19 @@ from .pores_section import law_text
 from .qt import small_button
 
 translate = FreeCAD.Qt.translate
-#: The kinds of path for which a row counts; the others hide it.
-_ROWS = {
-    "box": ("box",),
-    "choice": ("centre", "box"),
-    "tension_first": ("tension",),
-    "tension_second": ("tension",),
-}
+
+
+def _rows() -> List[Tuple[str, str, float]]:
+    """Field, label and step of each row: all that some kind of path needs."""
+    titles = {
+        "box": translate("Trabecula", "Box"),
+        "choice": translate("Trabecula", "Choice"),
+        "tension_first": translate("Trabecula", "First tension"),
+        "tension_second": translate("Trabecula", "Second tension"),
+    }
+    names = dict.fromkeys(name for law in PATH_LAWS.values() for name in law.fields if name != "points")
+    rows = [(name, titles.get(name, name.replace("_", " ").capitalize()), 0.5) for name in names]
+    return [("kind", translate("Trabecula", "Path"), 1.0), *rows]
 
 
 class PathsSection(QtGui.QWidget):
@@ -31,14 +39,7 @@ class PathsSection(QtGui.QWidget):
     def __init__(self, changed: Changed) -> None:
         super().__init__()
         self._changed = changed
-        rows = (
-            ("kind", translate("Trabecula", "Path"), 1.0),
-            ("box", translate("Trabecula", "Box"), 0.5),
-            ("choice", translate("Trabecula", "Choice"), 1.0),
-            ("tension_first", translate("Trabecula", "First tension"), 0.5),
-            ("tension_second", translate("Trabecula", "Second tension"), 0.5),
-        )
-        self.form = Form(PathParameters, rows, self._form_changed)
+        self.form = Form(PathParameters, _rows(), self._form_changed)
         self.form.fields["kind"].widget.currentIndexChanged.connect(lambda *_: self._show_rows())
         self.points = PointsList(self._points_changed)
         column = QtGui.QVBoxLayout(self)
@@ -54,11 +55,10 @@ class PathsSection(QtGui.QWidget):
         self._changed()
 
     def _show_rows(self) -> None:
-        kind = self.form.fields["kind"].value()
-        for name, kinds in _ROWS.items():
-            self.form.show_row(name, kind in kinds)
-        self.form.show_row("choice", kind in _ROWS["choice"] and len(self.points.value()) > 1)
-        self.points.setVisible(kind in _ROWS["choice"])
+        fields = PATH_LAWS[self.form.fields["kind"].value()].fields
+        for name, *_ in _rows()[1:]:
+            self.form.show_row(name, name in fields and (name != "choice" or len(self.points.value()) > 1))
+        self.points.setVisible("points" in fields)
 
     def value(self) -> PathParameters:
         """Return the parameters.
@@ -138,9 +138,9 @@ class PointsList(QtGui.QWidget):
 
 
 def paths_summary(path: PathParameters) -> str:
-    """Return one line about paths."""
-    if path.kind == "box":
-        return f"{choice(path.kind)} {' × '.join(local_number(edge) for edge in path.box)} mm"
-    if path.kind == "tension":
-        return f"{choice(path.kind)} {law_text(path.tension_first)}, {law_text(path.tension_second)} mm"
-    return choice(path.kind)
+    """Return one line about paths: the kind and the lengths that it needs."""
+    shown = []
+    for value in (getattr(path, name) for name in PATH_LAWS[path.kind].fields if name not in ("points", "choice")):
+        edges = value if isinstance(value, tuple) else (value,)
+        shown.append(law_text(value) if isinstance(value, Law) else " × ".join(map(local_number, edges)))
+    return f"{choice(path.kind)} {', '.join(shown)} mm" if shown else choice(path.kind)
