@@ -6,9 +6,9 @@ Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_
 By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers:
 ``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
-``estimate_voxel_design``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``, ``make_layer_shapes``.
-All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``. In another process:
-``write_task``, ``run_task``, ``take_results``.
+``estimate_voxel_design``, ``layer_areas_of``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``,
+``make_layer_shapes``. All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``. In
+another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -53,6 +53,7 @@ from .features.voxel_makers import (
     change_voxel_design,
     combine_with_body,
     estimate_voxel_design,
+    layer_areas_of,
     make_layer_shapes,
     make_voxel_design,
 )
@@ -78,6 +79,7 @@ __all__ = [
     "export",
     "found_routes",
     "job_of",
+    "layer_areas_of",
     "make_analysis",
     "make_box",
     "make_design",

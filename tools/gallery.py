@@ -25,7 +25,7 @@ PARTS = (
 #: Pictures that the pages show.
 IN_DOCS = ("design-sites", "design-pores", "design-couplings", "results-figures", "edit-site", "cranial-preview",
            "case6-scaffold", "cranial-scaffold", "analysis-areas", "analysis-compared", "voxels-panel",
-           "voxels-layers", "voxels-tables", "voxels-watch")  # fmt: skip
+           "voxels-layers", "voxels-tables", "voxels-watch", "voxels-curves")  # fmt: skip
 TIMEOUT = 900  # s a part
 
 

@@ -301,6 +301,30 @@ def take_voxels():
     take_dialog("voxels-export", VoxelExportDialog(FreeCADGui.getMainWindow(), [obj]))
 
 
+def take_curves(obj):
+    """Picture curves taken from the profiles of a voxel design's sample and bent along X."""
+    from freecad_trabecula import make
+    from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves, curves_of_areas
+    from freecad_trabecula.gui.curve_dialog import CurveDialog
+
+    targets = make.voxel_design_of(obj).targets
+    own = curves_of_areas(targets.areas, targets.voxel[0])
+    bent = DrawnCurves(own.edges, [(t, min(1.0, s * (1.5 - t))) for t, s in own.x], own.y, own.z)
+    dialog = CurveDialog(FreeCADGui.getMainWindow(), own)
+    profiles = [areas / layer for areas, layer in zip(targets.areas, layer_areas(targets))]
+    dialog.show_curves(bent, profiles)
+    dialog.show()
+    dialog.move(300, 40)
+    shoot("voxels-curves")
+    dialog.close()
+
+
+def layer_areas(targets):
+    """Return the areas of whole layers along X, Y, Z, mm2."""
+    dx, dy, dz = targets.voxel
+    return [cells * face for cells, face in zip(targets.layer_sizes, (dy * dz, dx * dz, dx * dy))]
+
+
 def take_tables(obj):
     """Picture the tables of a voxel design with a wrong cell, and a small layer that is being filled."""
     from freecad_trabecula.gui.propagation_dialog import watch_layer
@@ -313,6 +337,7 @@ def take_tables(obj):
     dialog.move(200, 120)
     shoot("voxels-tables")
     dialog.close()
+    take_curves(obj)
     dialog = watch_layer(None)
     dialog.go(4)
     dialog.move(360, 60)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Optional, Sequence, Tuple, Union
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import FreeCAD
+import numpy as np
 
 from ..core.booleans import combine
 from ..core.meshes import printable, weld
@@ -16,7 +17,7 @@ from ..core.voxels.blocks import block_mesh
 from ..core.voxels.design import Estimate, estimate
 from ..core.voxels.drawn_curves import DrawnCurves, targets_of_curves
 from ..core.voxels.parameters import VoxelParameters
-from ..core.voxels.sources import MESHES, layers_of_source, read_triangles, targets_of_profiles
+from ..core.voxels.sources import MESHES, areas_of_profiles, layers_of_source, read_triangles, targets_of_profiles
 from ..core.voxels.targets import layer_counts_of_box
 from ..errors import ParameterError
 from ..geometry.mesh_objects import mesh_object
@@ -135,6 +136,32 @@ def change_voxel_design(
             raise ParameterError(f"{obj.Label} must be made of curves to get others, it follows another sample")
         keep_curves(obj, curves)
     update(obj, progress)
+
+
+def layer_areas_of(analysis: Any) -> Tuple[List[np.ndarray], float]:
+    """Return the sliced areas of an analysis along X, Y and Z, mm², and the thickness of its layers, mm.
+
+    Parameters
+    ----------
+    analysis : document object
+
+    Raises
+    ------
+    ParameterError
+        If it has not all three axes, or layers of different thickness.
+
+    Examples
+    --------
+    >>> import FreeCAD
+    >>> from freecad_trabecula import make
+    >>> document = FreeCAD.newDocument()
+    >>> analysis = make.make_analysis(document, make.make_box(document, 2, 3, 4))
+    >>> areas, thickness = make.layer_areas_of(analysis)
+    >>> [round(float(own.mean()), 6) for own in areas]
+    [12.0, 8.0, 6.0]
+    """
+    thickness = float(analysis.SliceThickness.Value)
+    return areas_of_profiles(analysis_of(analysis), (thickness,) * 3), thickness
 
 
 def make_layer_shapes(obj: Any, layers: Sequence[int], solid: bool = False, progress: Progress = silent) -> Any:

@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, List, Sequence
+from typing import Any, Callable, List, Optional, Sequence
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from ..core.voxels.drawn_curves import DrawnCurves
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.registry import find_strategy, strategy_names
+from ..features.relations import type_of
 from ..features.voxel_design import SURFACES
 from .accordion import Accordion
+from .curve_dialog import ask_for_curves
 from .fields import ChoiceField, NumberField, row_widget
 from .form import Form
 from .language import choice, description, in_words
@@ -20,6 +23,7 @@ from .object_choice import ObjectChoice
 from .qt import icon, small_button
 
 translate = FreeCAD.Qt.translate
+ANALYSIS = "Trabecula::Analysis"
 _FILES = "(*.stl *.obj *.ply *.3mf *.csv *.json *.npy *.nrrd *.tif *.tiff)"
 _SEED = (("seed", translate("Trabecula", "Seed"), 1),)
 _OPTIONS = (
@@ -57,6 +61,8 @@ class VoxelForm(QtGui.QWidget):
     def __init__(self, changed: Callable[[], None]) -> None:
         super().__init__()
         self._changed, self._showing = changed, False
+        self._drawn: Optional[DrawnCurves] = None
+        self._analyses: Sequence[Any] = ()
         self.source, self.envelope, self.strategy = ObjectChoice(), ObjectChoice(), QtGui.QComboBox()
         self.edges = [NumberField("mm", 0.01, self._report, f"{axis}: {_doc('size')}") for axis in "XYZ"]
         self.is_cube = QtGui.QCheckBox(translate("Trabecula", "cube"))
@@ -84,6 +90,9 @@ class VoxelForm(QtGui.QWidget):
             small_button("document-open", translate(
                 "Trabecula", "A mesh, an analysis' CSV, targets or voxels from a file"), self._ask_file)
         )  # fmt: skip
+        tip = translate("Trabecula", "Draw the sliced areas along X, Y and Z, anew or from those of an analysis")
+        self.draw = small_button("Trabecula_draw_curves", tip, self._ask_curves)
+        body.layout().addWidget(self.draw)
         for field in self.edges:
             field.widget.setMinimumWidth(60)
             size.layout().addWidget(field.widget, 1)
@@ -148,9 +157,29 @@ class VoxelForm(QtGui.QWidget):
             self.source.set_file(path)
             self._report()
 
+    def _ask_curves(self, *_: Any) -> None:
+        curves = ask_for_curves(self._drawn, self._analyses)
+        if curves is not None:
+            self.take_curves(curves)
+
+    def take_curves(self, curves: DrawnCurves) -> None:
+        """Take drawn curves as the sample."""
+        self._drawn = curves
+        self.source.set_file(_drawn_words())
+        self._report()
+
+    def curves(self) -> Optional[DrawnCurves]:
+        """Return the curves that are the sample; None if another one is chosen."""
+        return self._drawn if self.source.file() == _drawn_words() else None
+
+    def file(self) -> str:
+        """Return the path of the file that is the sample; empty for objects and curves."""
+        return "" if self.curves() is not None else self.source.file()
+
     def offer(self, samples: Sequence[Any], bodies: Sequence[Any], source: Any, envelope: Any) -> None:
         """Offer objects as samples and as envelopes, and choose one of each."""
         self._showing = True
+        self._analyses = [one for one in samples if type_of(one) == ANALYSIS]
         self.source.offer(samples)
         self.envelope.offer(bodies, translate("Trabecula", "box of the sample"))
         if source is not None:
@@ -198,6 +227,10 @@ class VoxelForm(QtGui.QWidget):
         for form in self._forms():
             values.update(form.values())
         return VoxelParameters(size=self.size(), strategy=self.strategy.currentData(), **values)
+
+
+def _drawn_words() -> str:
+    return translate("Trabecula", "drawn curves")
 
 
 def _doc(name: str) -> str:

@@ -8,6 +8,7 @@ from typing import Any, Callable, NamedTuple, Optional, Sequence
 import FreeCAD
 
 from .. import make
+from ..core.voxels.design import heeds_tables
 from ..core.voxels.drawn_curves import DrawnCurves
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError, TrabeculaError
@@ -20,11 +21,10 @@ from .analysis_form import is_sliceable
 from .document_work import Order, work_at_once, write_step
 from .language import in_words
 from .voxel_dock import show_layers
-from .voxel_form import VoxelForm
+from .voxel_form import ANALYSIS, VoxelForm
 from .work_panel import WorkPanel
 
 translate = FreeCAD.Qt.translate
-ANALYSIS = "Trabecula::Analysis"
 
 
 class VoxelWish(NamedTuple):
@@ -129,8 +129,11 @@ class VoxelPanel(WorkPanel):
         if obj is not None:
             self.fields.offer(samples, bodies, obj.Source, obj.Envelope)
             self.fields.set_value(read_parameters(obj, VoxelParameters), obj.Surface)
-            if obj.Source is None:
+            curves = curves_of(obj)
+            if obj.Source is None and obj.File:
                 self.fields.source.set_file(obj.File)
+            elif curves is not None:
+                self.fields.take_curves(curves)
             self.lock_source(True)
         else:
             source = source if source is not None else (samples[-1] if samples else None)
@@ -139,8 +142,9 @@ class VoxelPanel(WorkPanel):
         self._changed()
 
     def lock_source(self, locked: bool) -> None:
-        """Forbid to choose another sample while there is a design."""
+        """Forbid to choose another sample while there is a design; drawn curves can be bent."""
         self.fields.source.setEnabled(not locked)
+        self.fields.draw.setEnabled(not locked or self.fields.curves() is not None)
 
     def _changed(self) -> None:
         """Say what the design will take, or what is wrong."""
@@ -153,9 +157,9 @@ class VoxelPanel(WorkPanel):
 
     def _sample(self) -> Any:
         name = self.fields.source.object_name()
-        sample = self.document.getObject(name) if name else self.fields.source.file()
+        sample = self.document.getObject(name) if name else self.fields.curves() or self.fields.file()
         if not sample:
-            raise ParameterError("a voxel design needs a sample, got none: choose an object or a file")
+            raise ParameterError("a voxel design needs a sample, got none: choose an object or a file, or draw it")
         return sample
 
     def _estimate(self) -> str:
@@ -172,9 +176,19 @@ class VoxelPanel(WorkPanel):
         """
         self._estimate()
         return VoxelWish(
-            self.document.Name, self.fields.value(), self.fields.source.object_name(), self.fields.source.file(),
+            self.document.Name, self.fields.value(), self.fields.source.object_name(), self.fields.file(),
             self.fields.envelope_name(), self.fields.surface.value(), self.obj.Name if self.obj else "",
+            self.fields.curves(), self._kept_tables(),
         ).order()  # fmt: skip
+
+    def _kept_tables(self) -> Optional[FlatTables]:
+        """Given tables of the design, where they still go: the same voxels and layers, a strategy that heeds tables."""
+        if self.obj is None or not self.obj.Alpha:
+            return None
+        parameters, before = self.fields.value(), read_parameters(self.obj, VoxelParameters)
+        same = parameters.size == before.size and self.fields.curves() == curves_of(self.obj)
+        goes = same and heeds_tables(parameters.strategy)
+        return flat_tables((self.obj.Alpha, self.obj.Beta)) if goes else None
 
 
 def samples_of(document: Any) -> list:

@@ -26,6 +26,7 @@ SHAPE: Points = ((0.0, 0.3), (0.5, 0.2), (1.0, 0.3))  # what an empty drawing be
 LEAST_APART = 1e-3  # of places along an axis
 _FINE = 2000  # steps of an integral
 _ENOUGH = 0.01  # of a profile's greatest share: points are taken from it until no value is further off
+_RIM = 0.05  # above a full layer: a body may reach half a layer beyond its last one
 _MOST = 40  # points taken from a profile along an axis
 
 
@@ -194,7 +195,7 @@ def curves_of_areas(areas: Sequence[np.ndarray], thickness: float) -> DrawnCurve
 def _few_points(shares: np.ndarray) -> Points:
     """Points of a profile: its ends, then always the layer at which the curve is furthest off."""
     places = (np.arange(len(shares)) + 0.5) / len(shares)
-    shares = np.where(np.abs(shares) < 1e-12, 0.0, np.where(np.abs(shares - 1) < 1e-9, 1.0, shares))
+    shares = np.where((shares > 1) & (shares < 1 + _RIM), 1.0, np.where(np.abs(shares) < 1e-12, 0.0, shares))
     chosen: List[int] = sorted({0, len(shares) - 1})
     while len(chosen) < min(_MOST, len(shares)):
         off = np.abs(curve_values([(places[k], shares[k]) for k in chosen], places) - shares)

@@ -243,8 +243,24 @@ def targets_of_profiles(analysis: Analysis, parameters: VoxelParameters) -> Targ
     ParameterError
         If an axis is missing, or its layers are not as thick as the voxels.
     """
-    areas, counts = [], []
-    for axis, size in zip(AXES, parameters.size):
+    areas = areas_of_profiles(analysis, parameters.size)
+    counts = [analysis.profiles[axis].outer_contours.astype(np.int64) for axis in AXES]
+    facts = analysis.facts
+    thickness = 2 * facts.volume / facts.area if facts is not None and facts.area > 0 else math.nan
+    asked = tuple(counts) if parameters.trabeculae != "off" else None
+    return targets_from_areas(areas, parameters, tuple(analysis.box[0].tolist()), None, asked, thickness)
+
+
+def areas_of_profiles(analysis: Analysis, thickness: Sequence[float]) -> List[np.ndarray]:
+    """Return the sliced areas of an analysis along X, Y and Z, mm², whose layers have these thicknesses, mm.
+
+    Raises
+    ------
+    ParameterError
+        As ``targets_of_profiles``.
+    """
+    areas = []
+    for axis, size in zip(AXES, thickness):
         require(
             axis in analysis.profiles,
             f"an analysis along X, Y and Z is needed; {analysis.name} has",
@@ -253,11 +269,7 @@ def targets_of_profiles(analysis: Analysis, parameters: VoxelParameters) -> Targ
         profile = analysis.profiles[axis]
         _check_thickness(profile.thickness, size, axis, len(profile.sliced_area))
         areas.append(np.where(profile.sliced_area < 0, 0.0, profile.sliced_area))
-        counts.append(profile.outer_contours.astype(np.int64))
-    facts = analysis.facts
-    thickness = 2 * facts.volume / facts.area if facts is not None and facts.area > 0 else math.nan
-    asked = tuple(counts) if parameters.trabeculae != "off" else None
-    return targets_from_areas(areas, parameters, tuple(analysis.box[0].tolist()), None, asked, thickness)
+    return areas
 
 
 def _check_thickness(thickness: float, size: float, axis: str, layers: int) -> None:
