@@ -13,6 +13,7 @@ from ..features.analysis_makers import default_parameters, design_envelope
 from ..features.analysis_source import file_source, object_source
 from ..features.tasks import write_analysis_task
 from .document_work import Order, work_at_once, write_step
+from .preferences import new_slices
 
 
 class Wish(NamedTuple):
@@ -83,5 +84,7 @@ class Wish(NamedTuple):
 def analyse_at_once(source: Any, done: Callable[[Any], None]) -> None:
     """Analyse an object as its kind asks for; the status bar shows how far it is and can end it."""
     envelope = design_envelope(source)
-    wish = Wish(source.Document.Name, default_parameters(source), source.Name, envelope.Name if envelope else "")
+    wish = Wish(
+        source.Document.Name, new_slices(default_parameters(source)), source.Name, envelope.Name if envelope else ""
+    )
     work_at_once(wish.order(), done)

@@ -15,6 +15,7 @@ from .analysis_dock import show_analyses
 from .analysis_form import AnalysisForm, is_sliceable, sliceable
 from .analysis_plots import title
 from .document_work import Order
+from .preferences import new_slices
 from .work_panel import WorkPanel
 
 translate = FreeCAD.Qt.translate
@@ -53,7 +54,7 @@ class AnalysisPanel(WorkPanel):
             offered = sliceable(self.document)
             source = source if source is not None else (offered[-1] if offered else None)
             self.fields.offer(offered, source, design_envelope(source) if source is not None else None)
-            self.fields.set_value(default_parameters(source) if source is not None else SliceParameters())
+            self.fields.set_value(new_slices(default_parameters(source) if source is not None else SliceParameters()))
             self.fields.source.currentIndexChanged.connect(self._take_source)
         self._changed()
 

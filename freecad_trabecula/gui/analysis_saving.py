@@ -14,6 +14,7 @@ from ..errors import TrabeculaError
 from ..features.analysis_files import NO_PLOTS
 from ..features.tasks import write_saving_task
 from .child_work import ChildWork, task_work
+from .preferences import folder_for
 from .recomputing import WorkBar
 from .transactions import say, told
 
@@ -24,7 +25,9 @@ _works: List[ChildWork] = []
 def ask_and_save(objects: Sequence[Any]) -> None:
     """Ask for a folder and save one analysis there, or the comparison of several."""
     folder = QtGui.QFileDialog.getExistingDirectory(
-        FreeCADGui.getMainWindow(), translate("Trabecula", "Folder for tables, report and plots")
+        FreeCADGui.getMainWindow(),
+        translate("Trabecula", "Folder for tables, report and plots"),
+        folder_for(FreeCAD.ActiveDocument),
     )
     if folder:
         save(objects, folder, lambda: say(translate("Trabecula", "Tables, report and plots are in {}").format(folder)))

@@ -15,6 +15,7 @@ from PySide import QtCore
 
 from ..errors import KernelError, TrabeculaError
 from ..shell.launch import PROGRAMS, START, child_environment, decode, freecad_program
+from .preferences import child_threads
 
 _GRACE = 4000  # ms from closing its standard input until a child that does not end is killed
 _SURE = 0.03  # share of the work from which on the time left is guessed
@@ -57,6 +58,8 @@ class ChildWork(QtCore.QObject):
         self.process = QtCore.QProcess()
         environment = QtCore.QProcessEnvironment()
         for name, value in child_environment(module, options).items():
+            environment.insert(name, value)
+        for name, value in child_threads().items():
             environment.insert(name, value)
         self.process.setProcessEnvironment(environment)
         self.process.setProcessChannelMode(QtCore.QProcess.MergedChannels)

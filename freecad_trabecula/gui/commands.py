@@ -11,6 +11,7 @@ import FreeCADGui
 from ..core.presets import PRESETS
 from . import analysis_commands, help_commands, rod_commands, seeing_commands, study_commands, voxel_commands
 from .command import Command
+from .preferences import add_page
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 #: Modules whose ``COMMANDS`` are registered.
@@ -65,6 +66,7 @@ def register(workbench: Any) -> None:
     for command in (*(kind() for kind in kinds), *map(rod_commands.LoadPreset, PRESETS)):
         COMMANDS[command.NAME] = command
         FreeCADGui.addCommand(command.NAME, command)
+    add_page()
     menu = QT_TRANSLATE_NOOP("Workbench", "&Trabecula")
     for bar, submenu, names in GROUPS:
         shown = [name or "Separator" for name in names]

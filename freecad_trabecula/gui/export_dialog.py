@@ -22,6 +22,7 @@ from ..geometry.files import (
 )
 from ..geometry.mesh_objects import core_mesh
 from .language import local_number
+from .preferences import folder_for
 from .qt import Buttons, run_dialog
 from .transactions import say
 
@@ -150,7 +151,7 @@ def ask_and_write(obj: Any, kind: str, write: Callable[[Any, str], None]) -> Opt
         If it cannot be written.
     """
     name = f"{obj.Document.Label}-{obj.Label}.{kind}".replace(" ", "_")
-    folder = os.path.dirname(obj.Document.FileName)
+    folder = folder_for(obj.Document)
     path, _ = QtGui.QFileDialog.getSaveFileName(
         FreeCADGui.getMainWindow(), translate("Trabecula", "Export"), os.path.join(folder, name),
         f"{kind.upper()} (*.{kind})",

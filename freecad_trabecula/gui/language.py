@@ -21,7 +21,11 @@ from PySide import QtCore
 translate = FreeCAD.Qt.translate
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
 _PLACE = re.compile(r"\{\d*\}")
-_NUMBER = re.compile(r"(?<![\w./'])(-?\d+)\.(\d+(?:e[+-]?\d+)?)(?![\w/']|\.\d)")
+#: Numbers as Python writes them, thousands parted or not; none of an equation, a chapter, a name or a path.
+_NUMBER = re.compile(
+    r"(?<!Eq\. )(?<!thesis )(?<!ch\. )(?<![\w./',])-?(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+\.\d+(?:e[+-]?\d+)?)"
+    r"(?![\w/']|[.,]\d)"
+)
 _LEAST_LETTERS = 4  # of a template, below which it fits anything
 _DEPTH = 4  # of messages in messages
 
@@ -48,19 +52,30 @@ def choice(word: str) -> str:
 
 def decimal_point() -> str:
     """Return the decimal sign of the window."""
-    sign = QtCore.QLocale().decimalPoint()
-    return sign if isinstance(sign, str) else chr(sign)
+    return _sign(QtCore.QLocale().decimalPoint())
+
+
+def _sign(found: Any) -> str:
+    return found if isinstance(found, str) else chr(found)  # PySide2 gives numbers for some
+
+
+def _localised(text: str) -> str:
+    """Change the signs of a number that Python wrote for those of the window."""
+    point = decimal_point()
+    if point == ".":
+        return text
+    return text.translate({ord("."): point, ord(","): _sign(QtCore.QLocale().groupSeparator())})
 
 
 def local_number(value: float, form: str = "g") -> str:
-    """Return a number with the decimal sign of the window; ``form`` is one of Python's, e.g. ``.2f``."""
-    return format(value, form).replace(".", decimal_point())
+    """Return a number with the signs of the window for decimals and thousands; ``form`` is one of Python's."""
+    return _localised(format(value, form))
 
 
 class _Filling(string.Formatter):
     def format_field(self, value: Any, form: str) -> str:
         text = format(value, form)
-        return text.replace(".", decimal_point()) if isinstance(value, float) else text
+        return _localised(text) if isinstance(value, (int, float)) else text
 
 
 def filled(text: str, *values: Any) -> str:
@@ -79,7 +94,7 @@ def with_decimals(text: str) -> str:
     sign = decimal_point()
     if sign == ".":
         return text
-    local = _NUMBER.sub(lambda found: f"{found[1]}{sign}{found[2]}", text)
+    local = _NUMBER.sub(lambda found: _localised(found[0]), text)
     # 0,1, 0,2 would be read as four numbers
     return re.sub(rf"(?<=\d{sign}\d), (?=-?\d)|(?<=\d), (?=-?\d+{sign}\d)", "; ", local) if sign == "," else local
 

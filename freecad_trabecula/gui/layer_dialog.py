@@ -14,7 +14,7 @@ from ..errors import Cancelled, ParameterError
 from ..geometry.voxel_shapes import ShapeEstimate, shape_estimate
 from .child_work import time_text
 from .export_dialog import size_text
-from .language import in_words
+from .language import in_words, local_number
 from .qt import Buttons, run_dialog
 from .transactions import transaction
 
@@ -79,7 +79,7 @@ class LayerDialog(QtGui.QDialog):
         try:
             work = self.work()
             text = translate("Trabecula", "{} corners: about {}, {} of memory, {} as STEP").format(
-                f"{work.corners:,}", time_text(work.seconds), size_text(work.memory), size_text(work.step)
+                local_number(work.corners, ","), time_text(work.seconds), size_text(work.memory), size_text(work.step)
             )
         except ParameterError as error:
             work, text = None, in_words(str(error))

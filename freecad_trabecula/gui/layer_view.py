@@ -8,6 +8,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 from PySide import QtCore, QtGui
 
+from .preferences import preferred_colour
 from .qt import paper_and_ink
 
 _MARGIN, _TEXT = 6, 18  # pixels
@@ -18,13 +19,13 @@ class LayerView(QtGui.QWidget):
 
     Parameters
     ----------
-    colour : str
-        Of solid voxels.
+    preferred : str
+        The preference that the colour of solid voxels comes from.
     """
 
-    def __init__(self, colour: str) -> None:
+    def __init__(self, preferred: str) -> None:
         super().__init__()
-        self.colour, self.words, self.image = QtGui.QColor(colour), "", None
+        self._preferred, self.words, self.image = preferred, "", None
         self._pixel = (1.0, 1.0)
         self.setMinimumSize(150, 150)
         self.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Expanding)
@@ -50,7 +51,8 @@ class LayerView(QtGui.QWidget):
         """
         paper, ink = paper_and_ink()
         self.words, self._pixel = words, pixel
-        self.image = None if layer is None else layer_picture(layer, self.colour, paper, ink, inside)
+        colour = QtGui.QColor(preferred_colour(self._preferred))
+        self.image = None if layer is None else layer_picture(layer, colour, paper, ink, inside)
         self.update()
 
     def place(self) -> Any:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Dict, NamedTuple, Tuple
 
 from ..features.relations import type_of
+from .preferences import shares
 
 #: Of what is seen, not of what is made: % of the size, and degrees. With FreeCAD's 0.2 % and 28.65 degrees the window
 #: stands still for 1.6 s when 147 rods appear, with these for 0.3 s.
@@ -16,25 +17,29 @@ _TEAL, _RED, _ORANGE = (0.35, 0.62, 0.65), (0.84, 0.27, 0.27), (0.93, 0.60, 0.10
 
 
 class Look(NamedTuple):
-    """Icon, colour of the faces or lines, size of points, width of lines, and whether it is seen at first."""
+    """Icon, colour of the faces or lines, size of points, width of lines, whether it is seen at first.
+
+    ``preferred`` is the preference that the colour comes from; none: it is always the same.
+    """
 
     icon: str
     colour: Colour
     points: float = 2.0
     lines: float = 1.0
     visible: bool = True
+    preferred: str = ""
 
 
 LOOKS: Dict[str, Look] = {
     "Trabecula::PrismSites": Look("Trabecula_prism_sites", DARK, points=4.0),
     "Trabecula::FaceSites": Look("Trabecula_face_sites", DARK, points=4.0),
-    "Trabecula::Wireframe": Look("Trabecula_wireframe", _BLUE, lines=1.5),
-    "Trabecula::Network": Look("Trabecula_network", _BONE),
-    "Trabecula::Scaffold": Look("Trabecula_scaffold", _BONE),
-    "Trabecula::SolidScaffold": Look("Trabecula_solid_scaffold", _BONE),
-    "Trabecula::VoxelDesign": Look("Trabecula_voxels", _BONE),
+    "Trabecula::Wireframe": Look("Trabecula_wireframe", _BLUE, lines=1.5, preferred="ColourWireframe"),
+    "Trabecula::Network": Look("Trabecula_network", _BONE, preferred="ColourRods"),
+    "Trabecula::Scaffold": Look("Trabecula_scaffold", _BONE, preferred="ColourScaffold"),
+    "Trabecula::SolidScaffold": Look("Trabecula_solid_scaffold", _BONE, preferred="ColourScaffold"),
+    "Trabecula::VoxelDesign": Look("Trabecula_voxels", _BONE, preferred="ColourScaffold"),
     "Trabecula::Analysis": Look("Trabecula_analysis", _BONE),
-    "Trabecula::Body channels": Look("Trabecula_channels", _TEAL, visible=False),
+    "Trabecula::Body channels": Look("Trabecula_channels", _TEAL, visible=False, preferred="ColourChannels"),
     "Trabecula::Body loose": Look("Trabecula_loose", _RED),
     "Trabecula::Body voids": Look("Trabecula_voids", _ORANGE),
 }
@@ -44,4 +49,5 @@ PLAIN = Look("Trabecula_design", _BONE)
 def look_of(obj: Any) -> Look:
     """Return how one of our objects looks; parts of a scaffold by their role."""
     kind = type_of(obj)
-    return LOOKS.get(f"{kind} {obj.Role}" if kind == "Trabecula::Body" else kind, PLAIN)
+    look = LOOKS.get(f"{kind} {obj.Role}" if kind == "Trabecula::Body" else kind, PLAIN)
+    return look._replace(colour=shares(look.preferred)) if look.preferred else look

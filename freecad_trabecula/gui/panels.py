@@ -10,10 +10,10 @@ from typing import Any, Optional, Sequence
 import FreeCAD
 
 from ..core.job import Job, job_from_json
-from ..core.presets import preset
 from ..errors import ExportError
 from ..features.jobs import job_of
 from ..features.relations import products_of, type_of, wireframe_of
+from .preferences import new_job
 from .results_panel import open_results
 from .task_panels import current, is_free, show_panel
 from .transactions import say, told
@@ -47,7 +47,7 @@ def open_new(document: Any, job: Optional[Job] = None, envelope: Any = None) -> 
 
     if is_free():
         with told():
-            show_panel(DesignPanel(document, job or preset("case6"), envelope))
+            show_panel(DesignPanel(document, job or new_job(), envelope))
 
 
 def open_change(wireframe: Any) -> None:

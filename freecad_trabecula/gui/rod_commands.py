@@ -21,6 +21,7 @@ from .command import Command, PanelCommand, active_document, document_or_new, se
 from .design_form import preset_text
 from .export_dialog import exists, export_design
 from .picking import is_solid
+from .preferences import folder_for
 from .results_panel import open_results
 from .rod_dock import toggle_dock
 from .site_panel import open_site_panel
@@ -257,7 +258,7 @@ class SaveJob(Command):
         scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
         text = job_to_json(job_of(wireframe, scaffold))
         path, _ = QtGui.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(), translate("Trabecula", "Save job"), "", _job_files()
+            FreeCADGui.getMainWindow(), translate("Trabecula", "Save job"), folder_for(wireframe.Document), _job_files()
         )
         if path:
             with replacing(path) as part:

@@ -5,15 +5,16 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
 from ..core.analysis.parameters import axis_frame
+from .preferences import preferred_colour
 from .qt import paper_and_ink
 
-#: Okabe and Ito's blue and vermilion, as in ``core.analysis.plots``.
-ROD, PLATE = "#0072B2", "#D55E00"
+translate = FreeCAD.Qt.translate
 _MARGIN, _TEXT = 10, 18  # pixels
 _PLANE = (0.0, 0.45, 0.7)
 
@@ -79,8 +80,12 @@ class SliceView(QtGui.QWidget):
         painter.setPen(QtGui.QPen(ink, 0.8, QtCore.Qt.DotLine))
         painter.drawRect(QtCore.QRectF(QtCore.QPointF(*frame[0]), QtCore.QPointF(*frame[1])))
         painter.setPen(QtCore.Qt.NoPen)
+        rod, plate = (
+            QtGui.QColor(preferred_colour("ColourRodContours")),
+            QtGui.QColor(preferred_colour("ColourPlateContours")),
+        )
         for k in np.argsort(-np.abs(one.areas), kind="stable").tolist():  # islands in voids come after the voids
-            colour = paper if one.areas[k] < 0 else QtGui.QColor(ROD if one.rods[k] else PLATE)
+            colour = paper if one.areas[k] < 0 else rod if one.rods[k] else plate
             painter.setBrush(colour)
             painter.drawPolygon(QtGui.QPolygonF([QtCore.QPointF(x, y) for x, y in place(one.contours[k]).tolist()]))
         self._paint_legend(painter, ink)
@@ -97,10 +102,14 @@ class SliceView(QtGui.QWidget):
     def _paint_legend(self, painter: Any, ink: Any) -> None:
         x, y = float(_MARGIN), self.height() - 8.0
         counts = (int((self.slice.rods & (self.slice.areas > 0)).sum()), int((self.slice.areas > 0).sum()))
-        for colour, word, count in ((ROD, "rods", counts[0]), (PLATE, "plates", counts[1] - counts[0])):
-            painter.fillRect(QtCore.QRectF(x, y - 9, 10, 10), QtGui.QColor(colour))
+        rods, plates = translate("Trabecula", "{} rods"), translate("Trabecula", "{} plates")
+        for name, words, count in (
+            ("ColourRodContours", rods, counts[0]),
+            ("ColourPlateContours", plates, counts[1] - counts[0]),
+        ):
+            painter.fillRect(QtCore.QRectF(x, y - 9, 10, 10), QtGui.QColor(preferred_colour(name)))
             painter.setPen(ink)
-            text = f"{count} {word}"
+            text = words.format(count)
             painter.drawText(QtCore.QPointF(x + 14, y), text)
             x += 26 + painter.fontMetrics().boundingRect(text).width()
 

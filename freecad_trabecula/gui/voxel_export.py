@@ -21,6 +21,7 @@ from ..core.voxels.volume_files import write_npy, write_nrrd, write_vti
 from ..errors import ExportError
 from ..geometry.files import MESH_FORMATS
 from .export_dialog import ExportDialog, ask_and_write, size_text, write_body
+from .preferences import folder_for
 from .qt import run_dialog
 from .transactions import say
 
@@ -110,7 +111,8 @@ def export_voxels(obj: Any) -> Optional[str]:
     _, kind = dialog.chosen()
     if kind not in IMAGES:
         return ask_and_write(obj, kind, write_voxels)
-    folder = QtGui.QFileDialog.getExistingDirectory(window, translate("Trabecula", "Folder for the images' folder"))
+    words = translate("Trabecula", "Folder for the images' folder")
+    folder = QtGui.QFileDialog.getExistingDirectory(window, words, folder_for(obj.Document))
     if not folder:
         return None
     path = write_images(obj, kind, folder)

@@ -9,16 +9,16 @@ from typing import Any, List, Optional, Tuple
 import FreeCAD
 import numpy as np
 
-from ..core.analysis.plots import COLOURS
 from ..core.voxels.design import VoxelDesign
 from ..core.voxels.targets import AXES
 from ..core.voxels.trabeculae import trabecula_counts
 from ..core.voxels.verification import layer_counts
 from .chart import Curve, Diagram
+from .preferences import preferred_colour
 
 translate = FreeCAD.Qt.translate
-#: Colours of the sample and of the design, in pictures and in diagrams.
-SAMPLE, DESIGN = COLOURS[1], COLOURS[0]
+#: Preferences of the colours of sample and design, in pictures and in diagrams.
+SAMPLE, DESIGN = "ColourSample", "ColourDesign"
 #: Kinds of diagrams: key, title of the tab.
 KINDS = (
     ("voxels", translate("Trabecula", "Voxels")),
@@ -92,14 +92,16 @@ class Layers:
         asked = translate("Trabecula", "asked for")
         made = translate("Trabecula", "design")
         if kind == "voxels":
-            curves = [Curve(asked, x, targets.counts[axis], SAMPLE),
-                      Curve(made, x, self.made[axis], DESIGN, marks=True)]  # fmt: skip
+            curves = [Curve(asked, x, targets.counts[axis], preferred_colour(SAMPLE)),
+                      Curve(made, x, self.made[axis], preferred_colour(DESIGN), marks=True)]  # fmt: skip
             return Diagram(across, translate("Trabecula", "voxels in the layer"), curves)
         if kind == "areas":
             face = math.prod(edge for k, edge in enumerate(targets.voxel) if k != axis)
-            curves = [Curve(made, x, face * self.made[axis], DESIGN, marks=True)]
+            curves = [Curve(made, x, face * self.made[axis], preferred_colour(DESIGN), marks=True)]
             if targets.areas is not None:
-                curves.insert(0, Curve(translate("Trabecula", "sample"), x, targets.areas[axis], SAMPLE))
+                curves.insert(
+                    0, Curve(translate("Trabecula", "sample"), x, targets.areas[axis], preferred_colour(SAMPLE))
+                )
             return Diagram(across, translate("Trabecula", "sliced area, mm²"), curves)
         return Diagram(across, translate("Trabecula", "number of trabeculae"), self._trabecula_curves(axis, x))
 
@@ -111,9 +113,9 @@ class Layers:
                 wanted = trabecula_counts(targets.sample)
             self._trabeculae = wanted, trabecula_counts(self.design.voxels)
         wanted, counts = self._trabeculae
-        curves = [Curve(translate("Trabecula", "design"), x, counts[axis], DESIGN)]
+        curves = [Curve(translate("Trabecula", "design"), x, counts[axis], preferred_colour(DESIGN))]
         if wanted is not None:
             is_target = self.design.targets.trabeculae is not None
             words = translate("Trabecula", "asked for") if is_target else translate("Trabecula", "sample")
-            curves.insert(0, Curve(words, x, np.asarray(wanted[axis]), SAMPLE))
+            curves.insert(0, Curve(words, x, np.asarray(wanted[axis]), preferred_colour(SAMPLE)))
         return curves

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Callable, NamedTuple, Optional, Sequence
 
 import FreeCAD
@@ -20,6 +21,7 @@ from ..features.voxel_inputs import FlatTables, curves_of, flat_tables, inputs_o
 from .analysis_form import is_sliceable
 from .document_work import Order, work_at_once, write_step
 from .language import in_words
+from .preferences import new_surface, new_voxels
 from .voxel_dock import show_layers
 from .voxel_form import ANALYSIS, VoxelForm
 from .work_panel import WorkPanel
@@ -138,7 +140,7 @@ class VoxelPanel(WorkPanel):
         else:
             source = source if source is not None else (samples[-1] if samples else None)
             self.fields.offer(samples, bodies, source, None)
-            self.fields.set_value(first_parameters(source))
+            self.fields.set_value(first_parameters(source), new_surface())
         self._changed()
 
     def lock_source(self, locked: bool) -> None:
@@ -204,5 +206,5 @@ def is_sample(obj: Any) -> bool:
 def first_parameters(sample: Any) -> VoxelParameters:
     """Return what a new design of a sample begins with: voxels as thick as the layers of an analysis."""
     if sample is not None and type_of(sample) == ANALYSIS:
-        return VoxelParameters(size=(float(sample.SliceThickness.Value),) * 3)
-    return VoxelParameters()
+        return replace(new_voxels(), size=(float(sample.SliceThickness.Value),) * 3)
+    return new_voxels()

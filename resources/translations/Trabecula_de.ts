@@ -232,17 +232,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Drawn curve along X: place over the edge, share of the layer; none: the sample's</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnete Kurve entlang X: Ort durch Kante, Anteil der Schicht; keine: die der Probe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Drawn curve along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnete Kurve entlang Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Drawn curve along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnete Kurve entlang Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -257,7 +257,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Edges of the box of drawn curves, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten des Quaders gezeichneter Kurven, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -307,12 +307,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Given table alpha, lines (x, z); none: drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegebene Tabelle alpha, Linien (x, z); keine: gezogen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Given table beta, lines (y, z); none: drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegebene Tabelle beta, Linien (y, z); keine: gezogen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -3587,7 +3587,7 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
         <source>random layers</source>
-        <translation type="unfinished"></translation>
+        <translation>zufällige Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
@@ -5999,7 +5999,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6153,12 +6153,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Contacts avoided</source>
-        <translation>Vermiedene Kontakte</translation>
+        <translation>Kontakte meiden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -6352,7 +6352,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -6372,12 +6372,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Glossary</source>
-        <translation type="unfinished"></translation>
+        <translation>Glossar</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/qt.py"/>
         <source>Glossary: what the words mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Glossar: was die Wörter bedeuten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
@@ -6392,7 +6392,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/qt.py"/>
         <source>Help: what can be done here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe: was hier getan werden kann</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -6548,7 +6548,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Nothing was found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gefunden.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6920,12 +6920,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Search all pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Seiten durchsuchen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Search: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
@@ -6961,7 +6961,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sheets 0 … rods 1</source>
-        <translation>Lamellen 0 … Stäbe 1</translation>
+        <translation>Lamelle 0, Stab 1</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7214,7 +7214,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Trabecula help</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Hilfe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7230,7 +7230,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Trabeculae counted</source>
-        <translation>Trabekel gezählt</translation>
+        <translation>Trabekelzahl</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7708,8 +7708,14 @@
         <translation>{} von {} erfüllt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
+        <source>{} plates</source>
+        <translation>{} Platten</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
         <source>{} rods</source>
         <translation>{} Stäbe</translation>
     </message>
@@ -7839,12 +7845,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_commands.py"/>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_commands.py"/>
         <source>Show or hide the help: tutorials, commands, files, the method, the glossary. Needs nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hilfe ein- oder ausblenden: Anleitungen, Befehle, Dateien, Methode, Glossar. Braucht nichts</translation>
     </message>
 </context>
 <context>
@@ -7897,6 +7903,279 @@
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slices and plots</source>
         <translation>Schnitte und Diagramme</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Preferences</name>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>B-Rep</source>
+        <translation>B-Rep</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
+        <translation>Blöcke halten Volumen und Flächen genau ein; glatt hält das Volumen ein</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours that count as plates, in the picture of a slice</source>
+        <translation>Konturen, die als Platten zählen, im Bild eines Schnitts</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours that count as rods, in the picture of a slice</source>
+        <translation>Konturen, die als Stäbe zählen, im Bild eines Schnitts</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours: plates</source>
+        <translation>Konturen: Platten</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours: rods</source>
+        <translation>Konturen: Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Defaults are read when an object or its panel is made. What is in a document stays as it is; scripts and the command line have their own.</source>
+        <translation>Vorgaben werden gelesen, wenn ein Objekt oder sein Fenster entsteht. Was in einem Dokument steht, bleibt, wie es ist; Skripte und die Befehlszeile haben eigene.</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Edge of the voxels of a new design; that of an analysis is its thickness</source>
+        <translation>Kante der Voxel eines neuen Entwurfs; bei einer Analyse ist es ihre Dicke</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Engine</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Faces of new channels</source>
+        <translation>Flächen neuer Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Faces of new networks of rods</source>
+        <translation>Flächen neuer Stabnetzwerke</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Faces of new scaffolds and voxel designs</source>
+        <translation>Flächen neuer Gerüste und Voxelentwürfe</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Files and work</source>
+        <translation>Dateien und Rechenarbeit</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Folder for exports</source>
+        <translation>Ordner für Exporte</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>How the layers of a new voxel design are filled</source>
+        <translation>Wie die Schichten eines neuen Voxelentwurfs gefüllt werden</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Language, decimal sign and theme are those of FreeCAD (General). A change of language takes full effect when FreeCAD is started again.</source>
+        <translation>Sprache, Dezimalzeichen und Farbschema sind die von FreeCAD (Allgemein). Eine andere Sprache gilt ganz, wenn FreeCAD neu gestartet ist.</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Largest pore</source>
+        <translation>Größte Pore</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Lines of new wireframes</source>
+        <translation>Linien neuer Drahtgerüste</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>New objects</source>
+        <translation>Neue Objekte</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>One number reproduces all draws</source>
+        <translation>Eine Zahl, die alle Zufallsziehungen wiederholbar macht</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Open the start panel with the workbench</source>
+        <translation>Das Startfenster mit dem Arbeitsbereich öffnen</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Pores of a new design are drawn uniformly between smallest and largest</source>
+        <translation>Poren eines neuen Entwurfs werden gleichverteilt zwischen kleinster und größter gezogen</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Rods</source>
+        <translation>Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Scaffold</source>
+        <translation>Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Slice thickness</source>
+        <translation>Schnittdicke</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Smallest pore</source>
+        <translation>Kleinste Pore</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>The design's voxels in the pictures of layers and its curves</source>
+        <translation>Die Voxel des Entwurfs in den Schichtbildern und seine Kurven</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>The sample's voxels in the pictures of layers and its curves</source>
+        <translation>Die Voxel der Probe in den Schichtbildern und ihre Kurven</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Thickness of the layers of a new slice analysis; a voxel design is sliced by its own layers</source>
+        <translation>Dicke der Schichten einer neuen Schnittanalyse; ein Voxelentwurf wird in seinen eigenen Schichten geschnitten</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Threads that numpy and scipy may use in long work; 0: as many as there are. manifold3d and our own code use one</source>
+        <translation>Threads, die numpy und scipy bei langer Arbeit nutzen dürfen; 0: alle, die es gibt. manifold3d und unser eigener Code nutzen einen</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Voxel size</source>
+        <translation>Voxelgröße</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Voxel surface</source>
+        <translation>Voxeloberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Where dialogs for files to be written open; empty: beside the document</source>
+        <translation>Wo Dialoge für zu schreibende Dateien beginnen; leer: neben dem Dokument</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Wireframe</source>
+        <translation>Drahtgerüst</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>best for tables</source>
+        <translation>beste zu Tabellen</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>by field</source>
+        <translation>nach Feld</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>mesh: exact triangles; field: rays and cells, for many rods; B-Rep: STEP</source>
+        <translation>Netz: genaue Dreiecke; Feld: Strahlen und Zellen, für viele Stäbe; B-Rep: STEP</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>minimum zeros</source>
+        <translation>wenigste Nullen</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>random layers</source>
+        <translation>zufällige Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>sequential</source>
+        <translation>der Reihe nach</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>smooth</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>trabecular</source>
+        <translation>trabekulär</translation>
     </message>
 </context>
 <context>
@@ -8021,7 +8300,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
@@ -8051,7 +8330,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula help</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Hilfe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>

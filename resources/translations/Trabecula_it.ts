@@ -232,17 +232,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Drawn curve along X: place over the edge, share of the layer; none: the sample's</source>
-        <translation type="unfinished"></translation>
+        <translation>Curva disegnata lungo X: posizione sul lato, quota dello strato; nessuna: quella del campione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Drawn curve along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Curva disegnata lungo Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Drawn curve along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Curva disegnata lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -257,7 +257,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Edges of the box of drawn curves, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Lati del parallelepipedo delle curve disegnate, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -307,12 +307,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Given table alpha, lines (x, z); none: drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabella alpha data, linee (x, z); nessuna: estratta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Given table beta, lines (y, z); none: drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabella beta data, linee (y, z); nessuna: estratta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -3587,7 +3587,7 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
         <source>random layers</source>
-        <translation type="unfinished"></translation>
+        <translation>strati casuali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
@@ -5999,7 +5999,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Indietro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6158,7 +6158,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Indice</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -6352,7 +6352,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -6372,12 +6372,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Glossary</source>
-        <translation type="unfinished"></translation>
+        <translation>Glossario</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/qt.py"/>
         <source>Glossary: what the words mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Glossario: che cosa significano le parole</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
@@ -6392,7 +6392,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/qt.py"/>
         <source>Help: what can be done here</source>
-        <translation type="unfinished"></translation>
+        <translation>Aiuto: che cosa si può fare qui</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -6548,7 +6548,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Nothing was found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun risultato.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6920,12 +6920,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Search all pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca in tutte le pagine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Search: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
@@ -6961,7 +6961,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sheets 0 … rods 1</source>
-        <translation>Lamine 0 … aste 1</translation>
+        <translation>Lamina 0, asta 1</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7214,7 +7214,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Trabecula help</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula aiuto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7230,7 +7230,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Trabeculae counted</source>
-        <translation>Trabecole contate</translation>
+        <translation>Conta trabecole</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7708,8 +7708,14 @@
         <translation>{} su {} verificati</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
+        <source>{} plates</source>
+        <translation>{} piastre</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
         <source>{} rods</source>
         <translation>{} aste</translation>
     </message>
@@ -7839,12 +7845,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/help_commands.py"/>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Aiuto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_commands.py"/>
         <source>Show or hide the help: tutorials, commands, files, the method, the glossary. Needs nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare o nascondere l'aiuto: guide, comandi, file, metodo, glossario. Non serve nulla</translation>
     </message>
 </context>
 <context>
@@ -7897,6 +7903,279 @@
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slices and plots</source>
         <translation>Fette e grafici</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Preferences</name>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>B-Rep</source>
+        <translation>B-Rep</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
+        <translation>I blocchi conservano esattamente volume e aree; liscia conserva il volume</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Channels</source>
+        <translation>Canali</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Colours</source>
+        <translation>Colori</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours that count as plates, in the picture of a slice</source>
+        <translation>Contorni che contano come piastre, nell'immagine di una fetta</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours that count as rods, in the picture of a slice</source>
+        <translation>Contorni che contano come aste, nell'immagine di una fetta</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours: plates</source>
+        <translation>Contorni: piastre</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Contours: rods</source>
+        <translation>Contorni: aste</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Defaults are read when an object or its panel is made. What is in a document stays as it is; scripts and the command line have their own.</source>
+        <translation>I valori predefiniti sono letti quando nasce un oggetto o il suo pannello. Ciò che è in un documento resta com'è; script e riga di comando hanno i propri.</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Design</source>
+        <translation>Progetto</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Edge of the voxels of a new design; that of an analysis is its thickness</source>
+        <translation>Lato dei voxel di un nuovo progetto; per un'analisi è il suo spessore</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Engine</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Faces of new channels</source>
+        <translation>Facce dei nuovi canali</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Faces of new networks of rods</source>
+        <translation>Facce delle nuove reti di aste</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Faces of new scaffolds and voxel designs</source>
+        <translation>Facce dei nuovi scaffold e progetti a voxel</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Files and work</source>
+        <translation>File e lavoro</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Folder for exports</source>
+        <translation>Cartella per le esportazioni</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>General</source>
+        <translation>Generale</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>How the layers of a new voxel design are filled</source>
+        <translation>Come si riempiono gli strati di un nuovo progetto a voxel</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Language, decimal sign and theme are those of FreeCAD (General). A change of language takes full effect when FreeCAD is started again.</source>
+        <translation>Lingua, segno decimale e tema sono quelli di FreeCAD (Generale). Un cambio di lingua ha pieno effetto al riavvio di FreeCAD.</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Largest pore</source>
+        <translation>Poro massimo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Lines of new wireframes</source>
+        <translation>Linee dei nuovi reticoli</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>New objects</source>
+        <translation>Oggetti nuovi</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>One number reproduces all draws</source>
+        <translation>Un solo numero riproduce tutte le estrazioni</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Open the start panel with the workbench</source>
+        <translation>Aprire il pannello iniziale con l'ambiente</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Pores of a new design are drawn uniformly between smallest and largest</source>
+        <translation>I pori di un nuovo progetto sono estratti uniformemente tra minimo e massimo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Rods</source>
+        <translation>Aste</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Sample</source>
+        <translation>Campione</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Scaffold</source>
+        <translation>Scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Seed</source>
+        <translation>Seme</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Slice thickness</source>
+        <translation>Spessore delle fette</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Smallest pore</source>
+        <translation>Poro minimo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Strategy</source>
+        <translation>Strategia</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>The design's voxels in the pictures of layers and its curves</source>
+        <translation>I voxel del progetto nelle immagini degli strati, e le sue curve</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>The sample's voxels in the pictures of layers and its curves</source>
+        <translation>I voxel del campione nelle immagini degli strati, e le sue curve</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Thickness of the layers of a new slice analysis; a voxel design is sliced by its own layers</source>
+        <translation>Spessore degli strati di una nuova analisi; un progetto a voxel è affettato per i suoi strati</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Threads</source>
+        <translation>Thread</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Threads that numpy and scipy may use in long work; 0: as many as there are. manifold3d and our own code use one</source>
+        <translation>Thread che numpy e scipy possono usare nei lavori lunghi; 0: quanti ce ne sono. manifold3d e il nostro codice ne usano uno</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Voxel size</source>
+        <translation>Lato dei voxel</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Voxel surface</source>
+        <translation>Superficie dei voxel</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Where dialogs for files to be written open; empty: beside the document</source>
+        <translation>Dove si aprono i dialoghi per i file da scrivere; vuoto: accanto al documento</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>Wireframe</source>
+        <translation>Reticolo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>automatic</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>best for tables</source>
+        <translation>migliori da tabelle</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>blocks</source>
+        <translation>blocchi</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>by field</source>
+        <translation>per campo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>field</source>
+        <translation>campo</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>mesh</source>
+        <translation>mesh</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>mesh: exact triangles; field: rays and cells, for many rods; B-Rep: STEP</source>
+        <translation>mesh: triangoli esatti; campo: raggi e celle, per molte aste; B-Rep: STEP</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>minimum zeros</source>
+        <translation>minimo di zeri</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>random layers</source>
+        <translation>strati casuali</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>sequential</source>
+        <translation>sequenziale</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>smooth</source>
+        <translation>liscia</translation>
+    </message>
+    <message>
+        <location filename="../../resources/ui/preferences.ui"/>
+        <source>trabecular</source>
+        <translation>trabecolare</translation>
     </message>
 </context>
 <context>
@@ -8021,7 +8300,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aiuto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
@@ -8051,7 +8330,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula help</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula aiuto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
