@@ -24,6 +24,7 @@ from freecad_trabecula.features.relations import type_of
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.layer_dialog import LayerDialog, make_shapes
+from freecad_trabecula.gui.preferences import preferred_colour
 from freecad_trabecula.gui.voxel_dock import KIND, show_layers, voxel_dock
 from freecad_trabecula.gui.voxel_export import VoxelExportDialog, write_images, write_voxels
 from freecad_trabecula.gui.voxel_layers import DESIGN, KINDS
@@ -218,7 +219,7 @@ class DockTest(VoxelCase):
             asked = (32, 32, 48)[axis]  # by hand: 8 or 12 mm2 of 0.25 mm2
             self.assertIn(f"{asked} made, {asked} asked for", self.dock.design.words)
             self.assertIn(f"{asked} asked for", self.dock.sample.words)
-            solid = QtGui.QColor(DESIGN).rgb()
+            solid = QtGui.QColor(preferred_colour(DESIGN)).rgb()
             seen = [[image.pixel(x, 7 - y) == solid for x in range(8)] for y in range(8)]
             self.assertTrue((np.array(seen) == np.take(design.voxels, 1, 2 - axis)).all())
 
