@@ -1323,11 +1323,6 @@
         <translation>über Ecke</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/outcome.py"/>
-        <source>coupling</source>
-        <translation>Kopplung</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>edge</source>
         <translation>über Kante</translation>
@@ -1503,11 +1498,6 @@
         <translation>Lamellen</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/outcome.py"/>
-        <source>size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>slab</source>
         <translation>Scheibe</translation>
@@ -1646,6 +1636,76 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 (1 - V_solid / V_envelope), volumes by the kernel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>100 (1 - sliced area / area of the envelope's slice)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 (V_envelope - V_scaffold) / V_envelope, volumes by the divergence theorem over the triangles of what is exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 V_union / V_envelope, the union by the engine, before loose pieces are taken away or voids filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 V_union / V_envelope, the union of the rods by parallel rays through their triangles, with its standard error; loose pieces stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 solid voxels / voxels of the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 sum V_rod / V_envelope, crossings counted as often as they come; what the thesis added up for case 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>100 sum of sliced areas / sum of the envelope's</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 times the mean over an axis' layers of |made - asked for| / asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 voxels of the largest part / solid voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 x twice the common solid voxels over the sum of both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>1e-9 of it for blocks; told for smooth surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>2 BV / BS over the largest edge of a voxel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>6e-15 on 960 planes; of solids what tessellation changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>; closed layers need a Boolean</source>
         <translation type="unfinished"></translation>
@@ -1682,6 +1742,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
+        <source>Bodies as wholes (morphometry)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Conn over TV</source>
         <translation type="unfinished"></translation>
@@ -1702,6 +1767,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
+        <source>Designs of rods, scaffolds, variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Euler number</source>
@@ -1715,6 +1785,11 @@
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>Green's theorem over the cubic pieces, exact</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1758,8 +1833,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>Round(sliced area / area of a voxel's face), brought to one total of the three axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Samples are laid side by side by {}; differences are against {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
+        <source>Scores of the slice passport</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1805,6 +1890,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
+        <source>Voxel designs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2207,6 +2297,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
+        <source>a number must be one of {} that are explained, got {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2615,6 +2710,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>another program's slices in the tests; of solids the kernel's own sections (make.exact_slices)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>area and volume of the triangles, BS/BV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>area of an outer contour less those of its holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>area of the triangles, those in the box's faces (cuts) left out</source>
         <translation type="unfinished"></translation>
@@ -2627,6 +2737,36 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>areas must be one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rod_colours.py"/>
+        <source>as drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most 0.2 % apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most {} of the envelope apart; with the field engine {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most {} standard errors of the rays apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>available less left is the number of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>available sites that the coupling did not use</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2645,8 +2785,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>blocks of 2 x 2 x 2 voxels with two opposite corners alone of their kind, solid or void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>bone fraction</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2667,6 +2817,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume fraction, by voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>both routes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2700,7 +2855,13 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>cavities found from the shells of the scaffold and from those of the channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <source>cavities seen from inside and from outside</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2720,6 +2881,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>channels by triangles and by rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
         <translation type="unfinished"></translation>
@@ -2735,13 +2901,34 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>clock time of cutting the channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>clock time of targets, design and mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>closed cavities</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {}; or choose layers that are not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>closed shells of its triangles, the voids inside one counted with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>closed shells of their triangles, the holes inside one counted with it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2765,8 +2952,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>common total less the sum of an axis' rounded counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>comparison = make.compare_analyses([{}])</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>connected parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the channels that touch no face of the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the scaffold that channels cut off all round; they are taken away unless they are to be kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2780,6 +2997,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>contacts by a corner alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>contacts by an edge alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must have one start more than planes, and as many points as the last start says, got {} starts, {} planes, {} marks, points {}</source>
         <translation type="unfinished"></translation>
@@ -2787,6 +3014,46 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must lie in the order of their planes, 0..{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours of more area than the least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours of more area than the least on a slice, holes among them: the thesis' number of trabeculae</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours that are no holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours that are no rods, voids among them (their area is negative)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours whose area is at least 0.6 of their box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>count of the pairs that were coupled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count of the solid voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count of the solid voxels of the layer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2825,6 +3092,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>delta_X, delta_Y, delta_Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>densities must be 0 to 1, got {} in layer {} along {}</source>
         <translation type="unfinished"></translation>
@@ -2855,6 +3127,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>diameter of the circle, or side of the square through the corners, as drawn from the law of the pores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the solid</source>
         <translation type="unfinished"></translation>
@@ -2865,8 +3142,43 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference half way along the shared stretch, linear between the layers' middles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference of the largest size over the shared layers, with its sign; at: the middle of its layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over its triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over its triangles in double precision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over the triangles of union of the rods and envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over their triangles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2920,6 +3232,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>edges at which two solid voxels meet across, the other two being void</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
@@ -2931,6 +3248,33 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>equal layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>equal layers, and pairs of neighbours between which the curves cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>equal numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>equal numbers on every layer of the three axes, or the design is refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>equal numbers, or the scaffold is refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: the computation broke off; the report view says where</source>
         <translation type="unfinished"></translation>
@@ -2938,6 +3282,16 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>estimated area of the end sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>estimated porosity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3001,6 +3355,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/rod_colours.py"/>
+        <source>failed, left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>faults</source>
@@ -3022,6 +3381,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>floating voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>from freecad_trabecula import make</source>
         <translation type="unfinished"></translation>
@@ -3034,6 +3398,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>half a layer's variation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3062,6 +3431,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>how often a faulty rod was drawn anew until it was sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
         <translation type="unfinished"></translation>
@@ -3069,6 +3443,11 @@
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>import FreeCAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>intercepts of lines through the voxels, BS/BV.vox</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3124,6 +3503,16 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>largest balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>largest difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>largest of the tables alpha and beta</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3197,8 +3586,28 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>layers whose middles (or bottoms) lie in the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>least and greatest of the variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>least and greatest of the variants' porosities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>least cap on alpha and beta with which a table has the layers' sums</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3207,8 +3616,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/rod_colours.py"/>
+        <source>leaves the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>lines through the voxels, DA</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3227,6 +3651,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>loose pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>loose pieces are {} of the envelope: the channels cut the scaffold apart</source>
         <translation type="unfinished"></translation>
@@ -3234,6 +3663,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean bone fraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>mean deviation of the trabeculae</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean difference</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3247,6 +3691,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean over the shared layers of sample less first sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the solid of the largest inscribed sphere's diameter</source>
         <translation type="unfinished"></translation>
@@ -3254,6 +3703,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the void inside the box of the largest inscribed sphere's diameter: mean pore size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>mean porosity of the variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean sliced area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>mean thickness of the sample</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3295,6 +3759,16 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>mm (guessed: the body would be {} mm large)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>more than 2 % is noted: the mesh overlaps itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>most solid voxels in a line (x, z) and (y, z)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3374,6 +3848,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>no rod may be left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
         <translation type="unfinished"></translation>
@@ -3394,6 +3873,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>no tolerance: another rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>no tolerance: it says how far variants are from chance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>no tolerance: the estimate is the thesis'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>no tolerance: voxels round the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
         <translation type="unfinished"></translation>
@@ -3401,6 +3900,11 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>none of {} points tried lies inside the face of {} mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>normals of the triangles, DA.mesh</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3470,8 +3974,19 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>outer contours</source>
         <translation>äußere Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>outer contours that are no rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>outer contours whose area is at least 0.6 of their box</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3489,8 +4004,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>overlap of two variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>overlap to expect of unrelated designs with the same layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>overlaps less trabeculae plus parts of the graph: ways that part and meet again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>own definition</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>own definition (docs/method.md, section 1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3504,13 +4041,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>pairs of the couplings that are on, less the rods that nothing mended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>part of the balance of all volumes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>parts less handles plus cavities, of the voxels as a closed body</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
-        <source>parts of voxels are counted by scipy: pip install scipy</source>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of solid voxels, neighbours by a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of void voxels, neighbours by a face, that touch no border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>pasted: recompute the document</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3529,8 +4091,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>plain sum of the rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>plates of all contours</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3541,6 +4113,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>points along {} must lie apart by at least {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>points of Eq. 2.1 on a prism; points of the co-ordinate lines on other faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3571,6 +4148,26 @@
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>pores and paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/colouring.py"/>
+        <source>porosity along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>porosity of a slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>porosity of the STEP scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>porosity of the scaffold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3625,6 +4222,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rays through the rods' own triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>reading layers</source>
@@ -3671,8 +4273,44 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>rods and plates by a rule that turning the part does not change (report)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/rod_colours.py"/>
+        <source>rods are coloured by one of {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods cut from the STEP scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/features/second_routes.py"/>
+        <source>rods made, of those that were coupled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>rods of all contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods of the wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods whose channels the B-Rep engine cut, of all</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3686,6 +4324,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>scaffold + channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope</source>
         <translation type="unfinished"></translation>
@@ -3693,6 +4336,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>scaffold + channels + loose pieces, each by its own triangles, against the envelope</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3716,9 +4364,20 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>score {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
+        <source>second route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3732,8 +4391,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>share of solid voxels, BV/TV.vox</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>share of the largest part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>shared layers on which both values are the same number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3757,6 +4431,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites of both faces that are on and that no earlier coupling used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/features/tasks.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
@@ -3765,7 +4454,13 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>size of the end sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>sliced area</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3780,8 +4475,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>slices through an open, turned or doubled place of the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>smallest possible caps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3815,6 +4520,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels outside of the largest part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels x dx dy dz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation type="unfinished"></translation>
@@ -3840,6 +4560,81 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>spoilt slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sqrt(sum (P - mean)^2 / (n - 1)); of a sample, as the thesis' repeats are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>standard deviation of the variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum (x_i y_i+1 - x_i+1 y_i) / 2 over the corners of a contour, voids negative; least and greatest of the contours of more area than the least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of both axes' tolerances of the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of sliced area x thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of sliced areas over the number of slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of the areas of all contours of a slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>sum of the layers along each of the three axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the rods' solids by the kernel, where the network is built</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the variants' porosities over their number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the volumes of the rods' solids by the kernel, crossings counted as often as they come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum over the rods of 30 to 75 s, by curvature of the path and number of sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>sums of the targets along X, Y and Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>surface of the voxels</source>
         <translation type="unfinished"></translation>
@@ -3851,7 +4646,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
-        <source>table {}: {}; {} sums or cells are wrong</source>
+        <source>table {}: {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4359,6 +5154,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/colouring.py"/>
+        <source>the porosity of slices along {} is that of an analysis of {}, got none: analyse it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>the prism of a job has a corner at the origin and its edges along X, Y, Z: the box's placement must be the identity, got {} of {}</source>
         <translation type="unfinished"></translation>
@@ -4384,6 +5184,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>the same along another axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the same cut by the mesh engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the same in single precision, as it is in the file; and the balance of all volumes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
         <translation type="unfinished"></translation>
@@ -4391,6 +5206,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the scaffold, once it is built</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4665,13 +5485,148 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis Eq. 2.1, section 4.2.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis Eq. 2.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis Eq. 2.2, of a slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis Eq. 5.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis Eq. 6.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis Eq. 6.2 and Eq. 6.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis chapter 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.3.3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.5, tables 4.2 and 4.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 4.3.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3.3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.4.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.1, after Eq. 6.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.3.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis sections 3.3.5 and 4.2.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis tables 4.2 and 4.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis tables 5.11, 5.12 and 5.13</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time for a rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time over the number of rods</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4690,13 +5645,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/colouring.py"/>
+        <source>trabeculae along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>trabeculae of a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>trabecular area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>trabecular area, net of holes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4755,6 +5726,21 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>triangles of the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>true area of the curve: it is 1.46 s^2 in the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>true area of the end sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation type="unfinished"></translation>
@@ -4780,8 +5766,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>union by parallel rays through the rods' own triangles: no Boolean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>union of rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>union of the rods in the envelope</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4792,6 +5788,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>unknown name {} in {}; known are {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>up to 10 % low</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4815,13 +5816,118 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>voids that no opening reaches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume by slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume by the triangles, BV/TV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume by the triangles; what overlaps counts twice</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of layers outside of the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the STEP scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the mesh and of the voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/second_routes.py"/>
+        <source>volume of the mesh and of the voxels, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the mesh by the divergence theorem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the mesh of the same rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume of the mesh over the body's length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the rods, solids against meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/second_routes.py"/>
+        <source>volume of the rods, solids against meshes, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the scaffold, solid against mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/second_routes.py"/>
+        <source>volume of the scaffold, solid against mesh, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the solid by the kernel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume of the triangles by the divergence theorem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the voxels</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4842,6 +5948,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels asked for in a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels asked for, counted by a routine of its own (core/voxels/verification.py)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels made in a layer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4898,6 +6019,11 @@
         <location filename="../../freecad_trabecula/core/guides.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>what meets what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>which is up to 10 % low</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4959,6 +6085,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} against {}, {} apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} against {}, {} of it apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>{} along {}</source>
         <translation type="unfinished"></translation>
@@ -4971,6 +6107,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} and {} layers of {} and {} voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} apart</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4991,6 +6132,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} below {} mm3 left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/colouring.py"/>
+        <source>{} can be coloured by one of {}, got {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5202,6 +6348,11 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} must be computed anew: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/colouring.py"/>
+        <source>{} must be computed before its rods are coloured, got: {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5451,6 +6602,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/colouring.py"/>
+        <source>{} must show the rods of {}, got {}: update it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>{} needs brackets</source>
         <translation type="unfinished"></translation>
@@ -5458,6 +6614,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} of a mesh must have the shape (count, 3), got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} of it apart</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5523,6 +6684,11 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, {} of them spoilt, bone fraction {} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>{} standard errors, loose pieces and voids left aside</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5842,6 +7008,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
         <source>{}: {} against {}, {} apart (at most {})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5878,6 +7045,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine would take about {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>{}; {} sums or cells are wrong</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5959,6 +7131,11 @@
         <translation>Eine Kopplung hinzufügen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>All sums are right and every layer can be filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Analyse</source>
         <translation>Analysieren</translation>
@@ -5979,6 +7156,11 @@
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
         <source>As</source>
         <translation>Als</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>As they were</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
@@ -6023,6 +7205,11 @@
         <translation>Körper, in dem Voxel liegen dürfen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Bone fraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/prism_section.py"/>
         <source>Border</source>
         <translation>Rand</translation>
@@ -6031,6 +7218,11 @@
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>Border u, v</source>
         <translation>Rand u, v</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/why.py"/>
+        <source>Both routes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/paths_section.py"/>
@@ -6101,9 +7293,19 @@
         <translation>Flächen in der 3D-Ansicht anklicken; ein zweiter Klick nimmt eine weg</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/task_panels.py"/>
         <source>Close the open task panel first</source>
         <translation>Zuerst das offene Aufgabenfenster schließen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Closed cavities</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6119,6 +7321,11 @@
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>Colour</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Colour by</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6141,6 +7348,11 @@
         <translation>Zusammenhängende Kanäle</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Connected parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Connected pieces of the scaffold</source>
         <translation>Zusammenhängende Teile des Gerüsts</translation>
@@ -6154,6 +7366,16 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Contacts avoided</source>
         <translation>Kontakte meiden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Contacts by a corner alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Contacts by an edge alone</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
@@ -6212,6 +7434,11 @@
         <translation>Voxel aus einem Körper oder einer Analyse entwerfen, um ihre Schichten zu sehen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Design with these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>Difference</source>
         <translation>Differenz</translation>
@@ -6262,6 +7489,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Envelope and surface</source>
         <translation>Hüllkörper und Oberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Exact on every layer of the three axes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
@@ -6345,6 +7577,11 @@
         <translation>Format</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/why.py"/>
+        <source>Formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
         <source>Formula of x, y, z (mm) and a random u in 0..1</source>
         <translation>Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
@@ -6368,6 +7605,16 @@
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>Give all faces the spacings and borders of the chosen one</source>
         <translation>Allen Flächen die Abstände und Ränder der gewählten geben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Glass envelope</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
@@ -6420,6 +7667,11 @@
         <translation>Später</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Layer along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
         <source>Layer shapes</source>
         <translation>Schichtkörper</translation>
@@ -6428,6 +7680,11 @@
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
         <source>Layers</source>
         <translation>Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Layers along X, Y, Z</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -6461,9 +7718,20 @@
         <translation>Länge</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Lines solved</source>
         <translation>Gelöste Linien</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Look through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Look through bodies and envelope. Select a design, or nothing for all</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6474,6 +7742,11 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Mean bone fraction, %</source>
         <translation>Mittlerer Knochenanteil, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Mean deviation of the trabeculae, %</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6541,6 +7814,11 @@
         <translation>Kein Stab verlässt den Hüllkörper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>No voxels fill layer {} along Z; {} layers do not go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>Not now: {}</source>
         <translation>Jetzt nicht: {}</translation>
@@ -6551,7 +7829,13 @@
         <translation>Nichts gefunden.</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/why.py"/>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Numbers</source>
         <translation>Zahlen</translation>
     </message>
@@ -6571,6 +7855,16 @@
         <translation>Eine Zahl, die alle Zufallsziehungen wiederholbar macht</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>One step back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>One step on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Only from, to</source>
         <translation>Nur von, bis</translation>
@@ -6584,6 +7878,11 @@
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <source>Opposite faces</source>
         <translation>Gegenüberliegende Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -6682,6 +7981,11 @@
         <translation>Ort der Stelle</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Plain colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Plain sum of the rods</source>
         <translation>Einfache Summe der Stäbe</translation>
@@ -6717,6 +8021,21 @@
         <translation>Porosität in</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Porosity of slices along X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Porosity of slices along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Porosity of slices along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Porosity of the scaffold (Eq. 2.2)</source>
         <translation>Porosität des Gerüsts (Gl. 2.2)</translation>
@@ -6750,6 +8069,7 @@
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Quantity</source>
         <translation>Größe</translation>
     </message>
@@ -6757,6 +8077,16 @@
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Range and heights</source>
         <translation>Bereich und Höhen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Read tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Read …</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
@@ -6821,9 +8151,24 @@
         <translation>Stäbe als Volumenkörper und als Netze, mm³</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Rods by coupling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Rods by hand (thesis' estimate)</source>
         <translation>Stäbe von Hand (Schätzung der Dissertation)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Rods by recovery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Rods by size</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6844,6 +8189,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Rows of tables</source>
         <translation>Zeilen der Tabellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Run on, or stop</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
@@ -6928,6 +8278,11 @@
         <translation>Suche: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/why.py"/>
+        <source>Second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
         <source>Second site</source>
         <translation>Zweite Stelle</translation>
@@ -6959,9 +8314,24 @@
         <translation>Pore setzen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Share of the largest part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sheets 0 … rods 1</source>
         <translation>Lamelle 0, Stab 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Show bodies in a clear envelope. Select a design, or nothing for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Show bodies solid, no envelope. Select a design, or nothing for all</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6998,7 +8368,6 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
         <source>Size of the end sections, mm</source>
         <translation>Größe der Endquerschnitte, mm</translation>
@@ -7050,6 +8419,21 @@
         <translation>Glättung</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Solid voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/why.py"/>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>Spacing u, v</source>
         <translation>Abstand u, v</translation>
@@ -7070,9 +8454,19 @@
         <translation>Stationen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Step {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Strategy</source>
         <translation>Strategie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Strategy {} makes voxels without tables; another strategy fills layers from edited ones</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7093,6 +8487,11 @@
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
         <source>Switch site off</source>
         <translation>Stelle abschalten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Tables of {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
@@ -7141,6 +8540,11 @@
         <translation>Die Konturen werden berechnet …</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>The design's own tables; cells can be edited, their sums must stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>The next seed: other draws, other pairs</source>
         <translation>Der nächste Startwert: andere Zufallszahlen, andere Paare</translation>
@@ -7173,6 +8577,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -7195,6 +8600,16 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>To one total by</source>
         <translation>Ausgleich der Summe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>To the empty layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>To the last step</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7233,6 +8648,21 @@
         <translation>Trabekelzahl</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Trabeculae in layers along X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Trabeculae in layers along Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Trabeculae in layers along Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Trabecular area, mm²</source>
         <translation>Trabekelfläche, mm²</translation>
@@ -7249,6 +8679,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Value</source>
         <translation>Wert</translation>
     </message>
@@ -7261,6 +8692,16 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Volume by slices, mm³</source>
         <translation>Volumen aus Schnitten, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Volume of the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>Volume of the voxels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
@@ -7283,9 +8724,24 @@
         <translation>Voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Voxels asked for in each column, from the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Voxels asked for in each row, from the lowest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Voxels within</source>
         <translation>Voxel innerhalb</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>Watch a layer being filled</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7303,14 +8759,49 @@
         <translation>Gesamt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/why.py"/>
+        <source>Why? Formula, source, second route</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Write tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>Write …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>X-ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>along {}</source>
         <translation>entlang {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>alpha, columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>alpha: voxels in the lines (x, z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>an analysis is on its way already</source>
         <translation>eine Analyse läuft bereits</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>and {} more</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7328,9 +8819,19 @@
         <translation>Fläche, mm²</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>as drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <source>as the design</source>
         <translation>wie der Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>as they stand</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
@@ -7341,6 +8842,16 @@
         <location filename="../../freecad_trabecula/gui/recomputing.py"/>
         <source>being computed</source>
         <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>beta, rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>beta: voxels in the lines (y, z)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7384,9 +8895,19 @@
         <translation>Koordinate entlang {}, mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>columns, u stays smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>contours (as the thesis)</source>
         <translation>Konturen (wie in der Dissertation)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>coupling</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7419,6 +8940,16 @@
         <translation>Richtung: 0.6,0.8,0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>failed, left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>faulty rods are being mended …</source>
         <translation>fehlerhafte Stäbe werden repariert …</translation>
@@ -7434,6 +8965,11 @@
         <translation>Humerusimplantat</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>kind of the contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/language.py"/>
         <source>language code</source>
         <translation>de</translation>
@@ -7444,14 +8980,25 @@
         <translation>Schicht </translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
         <source>leaves the envelope</source>
         <translation>verlässt den Hüllkörper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>mended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
         <source>new prism</source>
         <translation>neues Prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>no</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -7464,6 +9011,11 @@
         <translation>keine Fläche gewählt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_model.py"/>
+        <source>no voxels have these sums in columns and rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
@@ -7474,6 +9026,11 @@
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>nothing has been designed or analysed yet</source>
         <translation>noch ist nichts entworfen oder analysiert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>nothing that is seen can be coloured by that</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7497,9 +9054,19 @@
         <translation>pip konnte {} nicht installieren; der Grund steht unten.</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>plates ({})</source>
         <translation>Platten ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>porosity of the slices along {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7522,9 +9089,24 @@
         <translation>Prisma</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>recovery of the rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>rods ({})</source>
         <translation>Stäbe ({})</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>rows, v stays smallest</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
@@ -7550,6 +9132,11 @@
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>select a solid, or faces of one</source>
         <translation>einen Volumenkörper oder Flächen davon auswählen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>size of the rods</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -7583,9 +9170,19 @@
         <translation>beginnt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_model.py"/>
+        <source>sum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>sum of the rods {:.1f} %</source>
         <translation>Summe der Stäbe {:.1f} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>the shortest first</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -7613,6 +9210,16 @@
         <translation>nach</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/legend.py"/>
+        <source>trabeculae in the layers along {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>voids ({})</source>
         <translation>Hohlräume ({})</translation>
@@ -7621,6 +9228,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
         <source>voxels in the layer</source>
         <translation>Voxel in der Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -7735,6 +9347,31 @@
         <source>{}, c = {} mm</source>
         <translation>{}, c = {} mm</translation>
     </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>{}: next column {}, {} voxels into the rows that need most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>{}: next row {}, {} voxels into the columns that need most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>{}: no design with these numbers any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>{}: the layer is filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>{}; {} sums or cells are wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Trabecula_AnalyseNow</name>
@@ -7760,6 +9397,19 @@
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
         <translation>Schneiden und jeden Schnitt vermessen. Netz, Volumenkörper, Entwurf oder Analyse auswählen, oder nichts, um eine Datei zu wählen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Colours</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8244,6 +9894,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Sights</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Look through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Solid, in a glass envelope, or as an X-ray. Select a design, or nothing for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_Switch</name>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -8283,6 +9946,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_VoxelTables</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>See, edit, read and write the tables alpha and beta. Needs a voxel design; select one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_Voxels</name>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
@@ -8293,6 +9969,19 @@
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design</source>
         <translation>Voxel mit den Schnittflächen einer Probe entlang X, Y und Z entwerfen. Körper, Analyse oder Voxelentwurf auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_WatchLayer</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Watch a layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
+        <source>Watch how a layer is filled, step by step. Select a voxel design for its layers, or nothing for own numbers</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8324,6 +10013,11 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>S&amp;eeing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;tudy</source>
         <translation>&amp;Untersuchung</translation>
     </message>
@@ -8336,6 +10030,11 @@
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula rods</source>
         <translation>Trabecula Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula seeing</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
