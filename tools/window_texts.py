@@ -329,10 +329,13 @@ RULES: Dict[str, Callable[[ast.Call], ast.expr]] = {"require": _require}
 #: Functions whose texts are no speech: descriptions of properties (``App::Property``), patterns.
 NOT_SPOKEN = ("Property", "result", "_f", "compile", "sub", "match", "search", "fullmatch", "split", "doc")
 DOCUMENTED = {"Property": 3, "result": 2, "addProperty": 3}
-#: Modules whose texts go into files, which stay English; what they refuse is shown.
+#: Modules whose texts go into files, or explain a number with its source as the help pages do, and stay English; what
+#: they refuse is shown.
 WRITTEN = (
     *("report_text.py", "comparison_report.py", "core/analysis/report.py", "core/report.py", "plots.py", "workbook.py"),
     *("mesh_formats.py", "svg_layers.py", "ssl.py", "volume_files.py", "brep_text.py", "job.py", "json_values.py"),
+    *("features/scripts.py", "python_text.py", "design_numbers.py", "slice_numbers.py", "voxel_numbers.py"),
+    *("explanations/registry.py", "explanations/explanation.py", "brep_text.py"),
 )
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _NO_WORDS = re.compile(r"[\n<\\]|%[.d]|DOI|python3 -m|https?:|->|^[a-z]+_[a-z_]+ |^[a-z]+ -|\.json|^#|^\*")

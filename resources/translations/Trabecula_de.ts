@@ -1628,154 +1628,68 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>1 / (Tb.Th + Tb.Sp); programs that measure between mid-axes, or divide BV/TV by Tb.Th, get other numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>1 / (Tb.Th + Tb.Sp); Programme, die zwischen Mittelachsen messen oder BV/TV durch Tb.Th teilen, erhalten andere Zahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>1 less what the body adds to the Euler number of the structure it was cut out of: the box's faces count half, its edges a quarter, its corners an eighth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 (1 - V_solid / V_envelope), volumes by the kernel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>100 (1 - sliced area / area of the envelope's slice)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 (V_envelope - V_scaffold) / V_envelope, volumes by the divergence theorem over the triangles of what is exported</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 V_union / V_envelope, the union by the engine, before loose pieces are taken away or voids filled</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 V_union / V_envelope, the union of the rods by parallel rays through their triangles, with its standard error; loose pieces stay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 solid voxels / voxels of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 sum V_rod / V_envelope, crossings counted as often as they come; what the thesis added up for case 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>100 sum of sliced areas / sum of the envelope's</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 times the mean over an axis' layers of |made - asked for| / asked for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 voxels of the largest part / solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 x twice the common solid voxels over the sum of both</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>1e-9 of it for blocks; told for smooth surfaces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>2 BV / BS over the largest edge of a voxel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>6e-15 on 960 planes; of solids what tessellation changes</source>
-        <translation type="unfinished"></translation>
+        <translation>1 minus das, was der Körper zur Euler-Zahl der Struktur beiträgt, aus der er geschnitten wurde: Quaderflächen zählen halb, Kanten ein Viertel, Ecken ein Achtel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>; closed layers need a Boolean</source>
-        <translation type="unfinished"></translation>
+        <translation>; geschlossene Schichten brauchen eine boolesche Operation</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>; exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>; it is not there now</source>
-        <translation type="unfinished"></translation>
+        <translation>; genau</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>Analysis {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>BS over BV</source>
-        <translation type="unfinished"></translation>
+        <translation>BS durch BV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>BV over TV; porosity is 1 less it</source>
-        <translation type="unfinished"></translation>
+        <translation>BV durch TV; Porosität ist 1 minus dies</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>BV/TV is {} by triangles and {} by voxels: parts of the mesh overlap (then the voxels are right), or are thinner than a voxel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Bodies as wholes (morphometry)</source>
-        <translation type="unfinished"></translation>
+        <translation>BV/TV ist {} aus Dreiecken und {} aus Voxeln: Teile des Netzes überlappen sich (dann stimmen die Voxel) oder sind dünner als ein Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Conn over TV</source>
-        <translation type="unfinished"></translation>
+        <translation>Conn durch TV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>DA by all lines through BS, from its normals: the second route, exact</source>
-        <translation type="unfinished"></translation>
+        <translation>DA mit allen Linien durch BS, aus ihren Normalen: der zweite Weg, exakt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>DA.mesh: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>DA.mesh: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>DA: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Designs of rods, scaffolds, variants</source>
-        <translation type="unfinished"></translation>
+        <translation>DA: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Euler number</source>
-        <translation type="unfinished"></translation>
+        <translation>Euler-Zahl</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1783,24 +1697,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>Green's theorem over the cubic pieces, exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Hellinger distance of the distributions of trabecular area over logarithmic bins, five per decade with borders at 10^(k/5) mm2: sqrt(sum (sqrt p - sqrt q)^2 / 2); 0 = equal, 1 = no bin shared</source>
-        <translation type="unfinished"></translation>
+        <translation>Hellinger-Abstand der Verteilungen der Trabekelfläche über logarithmische Klassen, fünf je Dekade mit Grenzen bei 10^(k/5) mm2: Wurzel(Summe (Wurzel p - Wurzel q)^2 / 2); 0 = gleich, 1 = keine gemeinsame Klasse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Kolmogorov-Smirnov distance of the distributions of trabecular area (net of holes, each trabecula of each slice once): largest difference of the two shares of trabeculae up to an area; not binned; 0 = equal, 1 = apart</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolmogorow-Smirnow-Abstand der Verteilungen der Trabekelfläche (ohne Löcher, jedes Trabekel jedes Schnitts einmal): größte Differenz der Anteile bis zu einer Fläche; ohne Klassen; 0 = gleich, 1 = getrennt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -1810,7 +1714,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>MIL.max durch MIL.min mit Linien durch die Voxel, bis 10 % zu niedrig; 1 = isotrop; 1 - 1/DA^2 reicht von 0 bis 1</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -1830,22 +1734,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Pearson's correlation of the profiles over the shared layers; 1 = same shape; none if a profile is constant</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>Round(sliced area / area of a voxel's face), brought to one total of the three axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pearson-Korrelation der Profile über die gemeinsamen Schichten; 1 = gleiche Form; keine bei konstantem Profil</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Samples are laid side by side by {}; differences are against {}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Scores of the slice passport</source>
-        <translation type="unfinished"></translation>
+        <translation>Proben liegen nebeneinander nach {}; Differenzen sind gegen {}.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/makers.py"/>
@@ -1855,7 +1749,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Sliced area (mm2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittfläche (mm2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1875,27 +1769,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of plates</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamtzahl der Platten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamtzahl der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Trabecular area range (mm2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich der Trabekelflächen (mm2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Voxel designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -1903,7 +1792,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels {}</source>
         <translation type="unfinished"></translation>
@@ -1916,23 +1804,23 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>a 3MF file must be a whole ZIP archive: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine 3MF-Datei muss ein vollständiges ZIP-Archiv sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>a 3MF file must hold {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine 3MF-Datei muss {} enthalten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>a Boolean must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine boolesche Operation muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>a PLY file must begin with its header</source>
-        <translation type="unfinished"></translation>
+        <translation>eine PLY-Datei muss mit ihrem Kopf beginnen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -1982,7 +1870,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a comparison needs at least two analyses, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Vergleich braucht mindestens zwei Analysen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -1992,17 +1880,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
         <source>a coupled face must have at least 1 site, got 0 on face {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine gekoppelte Fläche muss mindestens 1 Stelle haben, hier 0 auf Fläche {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a coupling must join faces of the job ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kopplung muss Flächen des Auftrags verbinden ({}), hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
         <source>a coupling must join faces that have sites ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kopplung muss Flächen mit Stellen verbinden ({}), hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2067,7 +1955,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a design must have at most {} rods; this one would take about {} hours and {} GB, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf darf höchstens {} Stäbe haben; dieser bräuchte etwa {} Stunden und {} GB, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -2087,17 +1975,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>a fabric ellipsoid needs at least 6 directions, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Fabric-Ellipsoid braucht mindestens 6 Richtungen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>a fabric needs a surface that lines cross, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Textur braucht eine Oberfläche, die Linien schneiden, hier keine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
         <source>a face can be coupled with itself only if it is curved: rods of the flat face {} would lie in its plane</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche kann nur mit sich selbst gekoppelt werden, wenn sie gekrümmt ist: Stäbe der ebenen Fläche {} lägen in ihrer Ebene</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2122,7 +2010,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a face must have one normal per vertex, got {} for {} vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche muss eine Normale je Ecke haben, hier {} für {} Ecken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
@@ -2132,7 +2020,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a face to be thickened must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>eine zu verdickende Fläche muss mindestens ein Dreieck haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -2142,17 +2030,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>a field may have {} nodes; a cell size of {} mm needs {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Feld darf {} Knoten haben; eine Zellgröße von {} mm braucht {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
         <source>a file of layers is read as it is: heights and a range cannot be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schichtdatei wird gelesen, wie sie ist: Höhen und Bereich können nicht gewählt werden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job must be JSON: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Auftrag muss JSON sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
@@ -2162,32 +2050,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job needs at least one coupling, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Auftrag braucht mindestens eine Kopplung, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job needs either an envelope file or a prism, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Auftrag braucht eine Hüllkörperdatei oder ein Prisma, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job's numbers must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zahlen eines Auftrags müssen endlich sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gesetz muss eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law's bounds must be finite numbers, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Grenzen eines Gesetzes müssen endliche Zahlen sein, hier {} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -2212,12 +2100,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht muss dünner sein als der kleinste Krümmungsradius ihrer Fläche: bei {} mm falten sich {} von {} Dreiecken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold, and smoothing does not help</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht muss dünner sein als der kleinste Krümmungsradius ihrer Fläche: bei {} mm falten sich {} von {} Dreiecken, auch geglättet</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2252,7 +2140,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>a mesh format must be one of stl, ply, obj, 3mf, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netzformat muss eines von stl, ply, obj, 3mf sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -2272,7 +2160,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>a mesh must have at least one vertex to have bounds, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss für Grenzen mindestens eine Ecke haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
@@ -2292,7 +2180,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>a mesh to be voxelised must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss für Voxel mindestens ein Dreieck haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
@@ -2302,7 +2190,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
         <source>a number must be one of {} that are explained, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl muss eine von {} erklärten sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/patchwork.py"/>
@@ -2327,12 +2215,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a profile to be compared must have slices, {} has none along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Profil muss zum Vergleich Schnitte haben, {} hat keine entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a quantity must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Größe muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
@@ -2357,7 +2245,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a sample must be numbered 0 to {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss mit 0 bis {} nummeriert sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
@@ -2427,7 +2315,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a setting must read name=value, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Einstellung muss Name=Wert lauten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
@@ -2442,7 +2330,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
         <source>a sheet of a workbook holds at most {} contours, got {} along {}; thicker layers have fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tabellenblatt fasst höchstens {} Konturen, hier {} entlang {}; dickere Schichten haben weniger</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -2517,7 +2405,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>a tenth of the void has spheres up to it</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Zehntel des Hohlraums hat Kugeln bis zu diesem Durchmesser</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
@@ -2527,7 +2415,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>a thickness needs a surface, got voxels that are all on one side of it</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Dicke braucht eine Oberfläche, hier liegen alle Voxel auf einer Seite</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -2577,7 +2465,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ausrichtung muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -2587,7 +2475,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>all layers must have one thickness, got {} to {} mm in {} layers</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Schichten müssen gleich dick sein, hier {} bis {} mm in {} Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -2612,7 +2500,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>an axis must be x, y, z or a direction of three numbers such as 0.6,0.8,0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Achse muss x, y, z oder eine Richtung aus drei Zahlen wie 0.6,0.8,0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -2627,7 +2515,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>an envelope file needs faces with sites, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Hüllkörperdatei braucht Flächen mit Stellen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
@@ -2682,7 +2570,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>an estimate can be made for the mesh or the field engine, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>geschätzt werden kann für das Netz- oder das Feldverfahren, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
@@ -2692,42 +2580,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>an expression holds numbers only, got {} in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Formel enthält nur Zahlen, hier {} in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>an expression must have 1 to {} characters, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Formel muss 1 bis {} Zeichen haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>analyses to be compared must have an axis in common, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Analysen müssen zum Vergleich eine Achse gemeinsam haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>analyses to be compared must share at least one layer of {} mm along {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>another program's slices in the tests; of solids the kernel's own sections (make.exact_slices)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>area and volume of the triangles, BS/BV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>area of an outer contour less those of its holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Analysen müssen zum Vergleich mindestens eine Schicht von {} mm entlang {} gemeinsam haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>area of the triangles, those in the box's faces (cuts) left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche der Dreiecke, ohne die in den Quaderflächen (Anschnitte)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -2742,31 +2615,6 @@
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>at most 0.2 % apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>at most {} of the envelope apart; with the field engine {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>at most {} standard errors of the rays apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>available less left is the number of rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>available sites that the coupling did not use</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2785,44 +2633,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>blocks of 2 x 2 x 2 voxels with two opposite corners alone of their kind, solid or void</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>bone fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper müssen von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochenoberfläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochenvolumen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochenvolumenanteil</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume fraction, by voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>both routes</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochenvolumenanteil aus Voxeln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
@@ -2832,38 +2665,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>branches</source>
-        <translation type="unfinished"></translation>
+        <translation>Verzweigungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>branches per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Äste je mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>building the {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} wird erzeugt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/marching.py"/>
         <source>case {}: no triangulation without chords in faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall {}: keine Triangulierung ohne Sehnen in Flächen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>casting rays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>cavities found from the shells of the scaffold and from those of the channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlen werden verfolgt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <source>cavities seen from inside and from outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Hohlräume von innen und von außen gesehen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
@@ -2873,27 +2700,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>cells of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen von {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>chains of trabeculae that go on from slice to slice, each overlapping one of the next and no other, over the distance from the first slice to the last</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>channels by triangles and by rays</source>
-        <translation type="unfinished"></translation>
+        <translation>Ketten von Trabekeln, die von Schnitt zu Schnitt weitergehen, jedes überlappt genau eines des nächsten, durch den Abstand vom ersten zum letzten Schnitt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanäle aus Dreiecken und aus Strahlen, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>checks</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2901,50 +2723,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>clock time of cutting the channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>clock time of targets, design and mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>closed cavities</source>
-        <translation type="unfinished"></translation>
+        <translation>geschlossene Hohlräume</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {}; or choose layers that are not closed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>closed shells of its triangles, the voids inside one counted with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>closed shells of their triangles, the holes inside one counted with it</source>
-        <translation type="unfinished"></translation>
+        <translation>geschlossene Schichten brauchen eine boolesche Operation, die sie aus den Stäben nimmt, und dafür manifold3d: {}; oder nicht geschlossene Schichten wählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
-        <translation type="unfinished"></translation>
+        <translation>geschlossene Hohlräume sind {} des Hüllkörpers: viele Kanäle haben keinen Ausgang</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>co-ordinates must be finite and below 3.4e38 mm for a file, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten müssen für eine Datei endlich und unter 3.4e38 mm sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>co-ordinates of rods must be finite, got nan or infinite mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Stäben müssen endlich sein, hier nan oder unendlich mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -2952,44 +2753,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>common total less the sum of an axis' rounded counts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>comparison = make.compare_analyses([{}])</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>connected parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected pieces of the channels that touch no face of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected pieces of the scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected pieces of the scaffold that channels cut off all round; they are taken away unless they are to be kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>connectivity density</source>
-        <translation type="unfinished"></translation>
+        <translation>Konnektivitätsdichte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
@@ -2997,64 +2763,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>contacts by a corner alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>contacts by an edge alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must have one start more than planes, and as many points as the last start says, got {} starts, {} planes, {} marks, points {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen brauchen einen Anfang mehr als Ebenen und so viele Punkte, wie der letzte Anfang sagt, hier {} Anfänge, {} Ebenen, {} Marken, Punkte {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must lie in the order of their planes, 0..{}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours of more area than the least</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours of more area than the least on a slice, holes among them: the thesis' number of trabeculae</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours that are no holes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours that are no rods, voids among them (their area is negative)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours whose area is at least 0.6 of their box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>count of the pairs that were coupled</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>count of the solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>count of the solid voxels of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen müssen in der Reihenfolge ihrer Ebenen liegen, 0..{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
@@ -3069,12 +2785,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>couplings</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopplungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>cutting triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke werden geschnitten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -3084,17 +2800,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>degree of anisotropy</source>
-        <translation type="unfinished"></translation>
+        <translation>Anisotropiegrad</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>degree of anisotropy, by triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>delta_X, delta_Y, delta_Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Anisotropiegrad aus Dreiecken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
@@ -3127,79 +2838,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>diameter of the circle, or side of the square through the corners, as drawn from the law of the pores</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser der größten Kugel im Material</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the void</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>difference half way along the shared stretch, linear between the layers' middles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>difference in the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>difference of the largest size over the shared layers, with its sign; at: the middle of its layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser der größten Kugel im Hohlraum</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>distances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over its triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over its triangles in double precision</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over the triangles of union of the rods and envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over their triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>dmean area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>document = FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>document = FreeCAD.newDocument()</source>
-        <translation type="unfinished"></translation>
+        <translation>dmean area</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/svg_layers.py"/>
         <source>drawing layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten werden gezeichnet</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3209,12 +2870,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/profiles.py"/>
         <source>each contour must have one row of measures, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Kontur muss eine Zeile Maße haben, hier {} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>each face must have at least three corners, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Fläche muss mindestens drei Ecken haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
@@ -3229,12 +2890,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>each vertex must have three co-ordinates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>edges at which two solid voxels meet across, the other two being void</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Ecke muss drei Koordinaten haben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
@@ -3245,34 +2901,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>envelope less rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>equal layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>equal layers, and pairs of neighbours between which the curves cross</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>equal numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>equal numbers on every layer of the three axes, or the design is refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>equal numbers, or the scaffold is refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüllkörper minus Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -3285,19 +2914,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>estimated area of the end sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>estimated porosity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>every axis may be named once, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Achse darf nur einmal genannt sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
@@ -3307,7 +2926,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>every face must be named once, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Fläche darf nur einmal genannt sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -3363,7 +2982,7 @@
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>faults</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
@@ -3373,27 +2992,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelte werden gesucht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>floating voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>from freecad_trabecula import make</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/python_text.py"/>
-        <source>from {} import {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile werden gesucht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -3401,53 +3005,33 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>half a layer's variation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>half of the void has spheres up to it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Hälfte des Hohlraums hat Kugeln bis zu diesem Durchmesser</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhen müssen endlich sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must be given with at='heights', and only then, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhen gehören zu at='heights', und nur dazu, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must rise, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhen müssen aufsteigen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>heights of planes must be finite and rise</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>how often a faulty rod was drawn anew until it was sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhen von Ebenen müssen endlich sein und aufsteigen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>import FreeCAD</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>intercepts of lines through the voxels, BS/BV.vox</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3468,7 +3052,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>items must show objects of the model, at most {} deep, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Bauteile müssen Objekte des Modells zeigen, höchstens {} tief, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -3478,62 +3062,52 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>its standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Standardabweichung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
         <source>joining open contours</source>
-        <translation type="unfinished"></translation>
+        <translation>offene Konturen werden verbunden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>joining the slabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheiben werden verbunden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/neighbours.py"/>
         <source>joining the triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke werden verbunden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Verzweigungen je mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>largest balls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>largest difference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>largest of the tables alpha and beta</source>
-        <translation type="unfinished"></translation>
+        <translation>größte Kugeln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>largest trabecular area</source>
-        <translation type="unfinished"></translation>
+        <translation>größte Trabekelfläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>largest trabecular separation</source>
-        <translation type="unfinished"></translation>
+        <translation>größter Trabekelabstand</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>largest trabecular thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>größte Trabekeldicke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>largest value of b less largest of a over the shared layers</source>
-        <translation type="unfinished"></translation>
+        <translation>größter Wert von b minus größter von a über die gemeinsamen Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
@@ -3568,46 +3142,26 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers follow smoothed normals at {} points where a face bends more sharply than {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten folgen geglätteten Normalen an {} Punkten, wo eine Fläche schärfer als {} mm gebogen ist</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers inwards must leave a part of the envelope, but {} mm take all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten nach innen müssen einen Teil des Hüllkörpers lassen, {} mm nehmen ihn ganz</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers inwards that the channels go through are the envelope itself: nothing changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten nach innen, durch die Kanäle gehen, sind der Hüllkörper selbst: nichts ändert sich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers on faces that bend sharply need the package scipy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>layers whose middles (or bottoms) lie in the body</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten auf scharf gebogenen Flächen brauchen das Paket scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>least and greatest of the variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>least and greatest of the variants' porosities</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>least cap on alpha and beta with which a table has the layers' sums</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3621,119 +3175,69 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>lines through the voxels, DA</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>longest half axis of the fabric ellipsoid, by voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>längste Halbachse des Fabric-Ellipsoids aus Voxeln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>longest mean intercept length</source>
-        <translation type="unfinished"></translation>
+        <translation>längste mittlere Sehnenlänge</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/crossings.py"/>
         <source>looking for triangles that cross</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>loose pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche nach sich kreuzenden Dreiecken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>loose pieces are {} of the envelope: the channels cut the scaffold apart</source>
-        <translation type="unfinished"></translation>
+        <translation>lose Teile sind {} des Hüllkörpers: die Kanäle zerschneiden das Gerüst</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean bone fraction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>mean deviation of the trabeculae</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean difference</source>
-        <translation type="unfinished"></translation>
+        <translation>m (geschätzt: der Körper wäre {} mm groß)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>mean intercept length</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere Sehnenlänge (MIL)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean of b less mean of a over the shared layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean over the shared layers of sample less first sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel von b minus Mittel von a über die gemeinsamen Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the solid of the largest inscribed sphere's diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel über das Material des Durchmessers der größten einbeschriebenen Kugel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the void inside the box of the largest inscribed sphere's diameter: mean pore size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>mean porosity of the variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean sliced area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>mean thickness of the sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel über den Hohlraum im Quader des Durchmessers der größten einbeschriebenen Kugel: mittlere Porengröße</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean trabecular area of b less that of a</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere Trabekelfläche von b minus die von a</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>measuring contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen werden vermessen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>measuring triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke werden vermessen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/recovery.py"/>
@@ -3749,7 +3253,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>mesh {}{} of the {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz {}{} von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
@@ -3759,27 +3263,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>mm (guessed: the body would be {} mm large)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>more than 2 % is noted: the mesh overlaps itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>most solid voxels in a line (x, z) and (y, z)</source>
-        <translation type="unfinished"></translation>
+        <translation>mm (geschätzt: der Körper wäre {} mm groß)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>must be a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>muss eine endliche Zahl sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>must be at least {}</source>
-        <translation type="unfinished"></translation>
+        <translation>muss mindestens {} sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -3794,7 +3288,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>must lie in {}..{}</source>
-        <translation type="unfinished"></translation>
+        <translation>muss in {}..{} liegen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
@@ -3810,7 +3304,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>nine tenths of the void have spheres up to it</source>
-        <translation type="unfinished"></translation>
+        <translation>neun Zehntel des Hohlraums haben Kugeln bis zu diesem Durchmesser</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
@@ -3848,11 +3342,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>no rod may be left out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
         <translation type="unfinished"></translation>
@@ -3873,26 +3362,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>no tolerance: another rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>no tolerance: it says how far variants are from chance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>no tolerance: the estimate is the thesis'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>no tolerance: voxels round the surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
         <translation type="unfinished"></translation>
@@ -3903,11 +3372,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>normals of the triangles, DA.mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>nothing is left of the envelope: the rods fill it</source>
         <translation type="unfinished"></translation>
@@ -3915,16 +3379,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>number of parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Teile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>of drawn curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3935,7 +3394,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>offsetting contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen werden versetzt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -3955,17 +3414,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>only a cut that was made can be undone, got 0 cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>nur ein gemachter Schnitt kann zurückgenommen werden, hier 0 Schnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>only {} can be called in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>nur {} kann in {} aufgerufen werden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>operator {} is not allowed in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Operator {} ist in {} nicht erlaubt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -3974,19 +3433,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>outer contours</source>
         <translation>äußere Konturen</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>outer contours that are no rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>outer contours whose area is at least 0.6 of their box</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3996,44 +3444,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the solid</source>
-        <translation type="unfinished"></translation>
+        <translation>über das Material</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the void</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>overlap of two variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>overlap to expect of unrelated designs with the same layers</source>
-        <translation type="unfinished"></translation>
+        <translation>über den Hohlraum</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>overlaps less trabeculae plus parts of the graph: ways that part and meet again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>own definition</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>own definition (docs/method.md, section 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappungen minus Trabekel plus Teile des Graphen: Wege, die sich trennen und wieder treffen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>painting balls</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugeln werden eingetragen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -4041,34 +3467,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>pairs of the couplings that are on, less the rods that nothing mended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>part of the balance of all volumes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>parts less handles plus cavities, of the voxels as a closed body</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>parts of solid voxels, neighbours by a face</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>parts of void voxels, neighbours by a face, that touch no border</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile minus Henkel plus Hohlräume der Voxel als geschlossener Körper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -4078,31 +3479,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pieces of solid voxels, 26 neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile voller Voxel, 26 Nachbarn</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pieces of void voxels, 6 neighbours, that touch no face of the box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>plain sum of the rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile leerer Voxel, 6 Nachbarn, die keine Quaderfläche berühren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>plates of all contours</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4116,58 +3507,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>points of Eq. 2.1 on a prism; points of the co-ordinate lines on other faces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pore diameter, 10 % of the void</source>
-        <translation type="unfinished"></translation>
+        <translation>Porendurchmesser, 10 % des Hohlraums</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pore diameter, 50 % of the void</source>
-        <translation type="unfinished"></translation>
+        <translation>Porendurchmesser, 50 % des Hohlraums</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pore diameter, 90 % of the void</source>
-        <translation type="unfinished"></translation>
+        <translation>Porendurchmesser, 90 % des Hohlraums</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>pore layout</source>
-        <translation type="unfinished"></translation>
+        <translation>die Porenform</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>pore sizes must be at least {} mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Porengrößen müssen mindestens {} mm sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>pores and paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Poren und Pfade</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>porosity of a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>porosity of the STEP scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>porosity of the scaffold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4222,15 +3593,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rays through the rods' own triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>reading layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten werden gelesen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4240,12 +3606,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>relative L1 distance of the profiles: sum |b - a| / sum |a| over the shared layers; 0 = equal</source>
-        <translation type="unfinished"></translation>
+        <translation>relativer L1-Abstand der Profile: Summe |b - a| / Summe |a| über die gemeinsamen Schichten; 0 = gleich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>relative L2 distance of the profiles: sqrt(sum (b - a)^2 / sum a^2) over the shared layers; 0 = equal</source>
-        <translation type="unfinished"></translation>
+        <translation>relativer L2-Abstand der Profile: Wurzel(Summe (b - a)^2 / Summe a^2) über die gemeinsamen Schichten; 0 = gleich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -4270,12 +3636,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>rod {}{} of {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>rods and plates by a rule that turning the part does not change (report)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stab {}{} von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
@@ -4283,12 +3644,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rods cut from the STEP scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>rods made, of those that were coupled</source>
         <translation type="unfinished"></translation>
@@ -4296,27 +3651,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>rods of all contours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rods of the wireframe</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rods whose channels the B-Rep engine cut, of all</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe müssen geschlossene Netze sein: jeder Strahl muss so oft austreten wie eintreten, {} tun es nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>rounds of gap fill must be at least 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Durchgänge zum Schließen von Lücken müssen mindestens 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
@@ -4324,39 +3664,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>scaffold + channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst + Kanäle + lose Teile = Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>scaffold + channels + loose pieces, each by its own triangles, against the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst + Kanäle + lose Teile = Hüllkörper, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels = envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst + Kanäle = Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels = envelope, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst + Kanäle = Hüllkörper, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold in double and in single precision, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst in doppelter und einfacher Genauigkeit, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4364,20 +3694,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>score {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>second route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4388,37 +3707,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>share of contours that are rods (thesis' rule), b less a</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>share of solid voxels, BV/TV.vox</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Konturen, die Stäbe sind (Regel der Dissertation), b minus a</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>share of the largest part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>shared layers on which both values are the same number</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil voller Voxel: der zweite Weg</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>shortest half axis of the fabric ellipsoid, by voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>kürzeste Halbachse des Fabric-Ellipsoids aus Voxeln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>shortest mean intercept length</source>
-        <translation type="unfinished"></translation>
+        <translation>kürzeste mittlere Sehnenlänge</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -4431,21 +3735,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sites available</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sites left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sites of both faces that are on and that no earlier coupling used</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/features/tasks.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
@@ -4454,15 +3743,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>size of the end sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>sliced area</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittfläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -4475,24 +3758,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>slices through an open, turned or doubled place of the mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>smallest possible caps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>smallest value of b less smallest of a over the shared layers</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinster Wert von b minus kleinster von a über die gemeinsamen Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4520,21 +3793,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>solid voxels outside of the largest part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>solid voxels x dx dy dz</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation type="unfinished"></translation>
@@ -4552,87 +3810,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>specific bone surface</source>
-        <translation type="unfinished"></translation>
+        <translation>spezifische Knochenoberfläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>specific bone surface, by voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>spoilt slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sqrt(sum (P - mean)^2 / (n - 1)); of a sample, as the thesis' repeats are</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>standard deviation of the variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum (x_i y_i+1 - x_i+1 y_i) / 2 over the corners of a contour, voids negative; least and greatest of the contours of more area than the least</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of both axes' tolerances of the volume</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of sliced area x thickness</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of sliced areas over the number of slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of the areas of all contours of a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>sum of the layers along each of the three axes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the rods' solids by the kernel, where the network is built</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the variants' porosities over their number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the volumes of the rods' solids by the kernel, crossings counted as often as they come</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum over the rods of 30 to 75 s, by curvature of the path and number of sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>sums of the targets along X, Y and Z</source>
-        <translation type="unfinished"></translation>
+        <translation>spezifische Knochenoberfläche aus Voxeln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4674,12 +3857,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>taken away</source>
-        <translation type="unfinished"></translation>
+        <translation>weggenommen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>tangent component</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangentenkomponente</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4700,17 +3883,17 @@
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the PLY file ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>die PLY-Datei endet zu früh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>the PLY file must be binary, little-endian</source>
-        <translation type="unfinished"></translation>
+        <translation>die PLY-Datei muss binär, little-endian sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>the PLY file must hold vertices and faces, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die PLY-Datei muss Ecken und Flächen enthalten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -4731,12 +3914,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>the body could not be measured as a whole: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>the body {} ({}, {}) in the active document; it was modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>der Körper konnte als Ganzes nicht vermessen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4766,12 +3944,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>the cell size must be above 0 mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zellgröße muss über 0 mm liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>the cells of the field engine are too coarse for these rods: make them smaller, or take the mesh engine</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zellen des Feldverfahrens sind für diese Stäbe zu grob: kleiner machen oder das Netzverfahren nehmen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4786,7 +3964,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the compensation must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Korrektur muss endlich sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -4827,12 +4005,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the direction of a law must be three finite numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Richtung eines Gesetzes muss aus drei endlichen Zahlen bestehen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the direction of a linear law must not be zero, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Richtung eines linearen Gesetzes darf nicht null sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4860,7 +4038,7 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>der Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4875,12 +4053,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>the envelope must be at least two cells thick; it measures {} mm, a cell {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>der Hüllkörper muss mindestens zwei Zellen dick sein; er misst {} mm, eine Zelle {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>the envelope must enclose a volume above 0, got {} mm3: it is inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>der Hüllkörper muss ein Volumen über 0 umschließen, hier {} mm3: sein Inneres ist außen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
@@ -4890,22 +4068,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>the envelope's triangles must turn counter-clockwise seen from outside; its volume is {} mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dreiecke des Hüllkörpers müssen von außen gesehen gegen den Uhrzeigersinn laufen; sein Volumen ist {} mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the expression {} cannot be computed: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Formel {} kann nicht berechnet werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the expression {} cannot be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Formel {} kann nicht gelesen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the expression {} must give finite numbers, got {} at ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>die Formel {} muss endliche Zahlen ergeben, hier {} bei ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
@@ -4920,7 +4098,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>the faces of the PLY file must be triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>die Flächen der PLY-Datei müssen Dreiecke sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/chosen_fields.py"/>
@@ -4953,18 +4131,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>the file {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>the file {} could not be read: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>the file {}; it is not there now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4985,7 +4153,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the format of a PLY file must be ascii or binary, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Format einer PLY-Datei muss ascii oder binary sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5000,7 +4168,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>the job's schema must be {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Schema des Auftrags muss {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
@@ -5060,7 +4228,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>the low ends of their boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>den unteren Enden ihrer Quader</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -5105,27 +4273,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>the middles of their boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>den Mitten ihrer Quader</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file may have at most {} bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>das Modell einer 3MF-Datei darf höchstens {} Bytes haben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file must be proper XML: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Modell einer 3MF-Datei muss richtiges XML sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file must have an item to build</source>
-        <translation type="unfinished"></translation>
+        <translation>das Modell einer 3MF-Datei muss ein Bauteil enthalten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the number of corners of a pore must lie in 3..12, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zahl der Ecken einer Pore muss in 3..12 liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -5171,31 +4339,16 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the range of layers must meet the body, {}..{} mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Bereich der Schichten muss den Körper treffen, {}..{} mm, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the ratio from which a contour is a rod must lie in 0..1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Verhältnis, ab dem eine Kontur ein Stab ist, muss in 0..1 liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>the same along another axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>the same cut by the mesh engine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>the same in single precision, as it is in the file; and the balance of all volumes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5206,11 +4359,6 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>the scaffold, once it is built</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5241,7 +4389,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>the side of a plane must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Seite einer Ebene muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -5266,7 +4414,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>the size of voxels must be &gt; 0, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>die Voxelgröße muss &gt; 0 sein, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -5291,7 +4439,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>the spacing of rows must be &gt; 0, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abstand der Reihen muss &gt; 0 sein, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5342,17 +4490,17 @@
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>the thickness of a layer must be above 0 mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dicke einer Schicht muss über 0 mm liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the thickness of a layer must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dicke einer Schicht muss größer als 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>the thickness of common layers must be &gt; 0, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dicke gemeinsamer Schichten muss &gt; 0 sein, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5372,7 +4520,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>the triangles of a face must run along each edge at most once each way</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dreiecke einer Fläche dürfen jede Kante je Richtung höchstens einmal durchlaufen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
@@ -5387,27 +4535,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>the union of rods</source>
-        <translation type="unfinished"></translation>
+        <translation>die Vereinigung der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>the unit must be auto or one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Einheit muss auto oder eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>the unit must be one of auto, {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Einheit muss auto oder eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>the unit must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Einheit muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the unit of a 3MF file must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Einheit einer 3MF-Datei muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -5442,22 +4590,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>their own zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>ihren eigenen Nullpunkten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there may be at most {} heights, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>es darf höchstens {} Höhen geben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there may be at most {} planes along an axis; {} mm in layers of {} mm are {} planes, which would take about {} times the minute and 15 GB that {} take; layers of at least {} mm are possible</source>
-        <translation type="unfinished"></translation>
+        <translation>es darf höchstens {} Ebenen je Achse geben; {} mm in Schichten von {} mm sind {} Ebenen, das dauert etwa {}-mal die Minute und die 15 GB von {}; Schichten ab {} mm sind möglich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>there may be at most {} voxels, a size of {} mm makes {}</source>
-        <translation type="unfinished"></translation>
+        <translation>es darf höchstens {} Voxel geben, eine Größe von {} mm ergibt {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -5467,7 +4615,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there must be at least one axis to slice along, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens eine Achse muss geschnitten werden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
@@ -5482,151 +4630,16 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>there must be one row of measures for each contour, got {}, {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis Eq. 2.1, section 4.2.2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis Eq. 2.2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis Eq. 2.2, of a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis Eq. 5.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis Eq. 6.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis Eq. 6.2 and Eq. 6.6</source>
-        <translation type="unfinished"></translation>
+        <translation>zu jeder Kontur gehört eine Zeile Maße, hier {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis chapter 9</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.3.3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.4.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.4.5, tables 4.2 and 4.5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.4.7</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 4.3.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.2.3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.2.3.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.2.3.3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.4.2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.2.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.2.1, after Eq. 6.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.3.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis sections 3.3.5 and 4.2.4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis tables 4.2 and 4.5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis tables 5.11, 5.12 and 5.13</source>
-        <translation type="unfinished"></translation>
+        <translation>Dissertation Kap. 9 (Verbundenheit der Trabekel); Graph der Schnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>thickness</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>time by hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>time for a rod</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>time over the number of rods</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5637,7 +4650,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>total volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamtvolumen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
@@ -5650,40 +4663,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>trabeculae of a layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel, die mehrere des nächsten Schnitts überlappen (Teilungen) oder des vorigen (Verbindungen), durch diesen Abstand</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>trabecular area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>trabecular area, net of holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekelfläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabecular number</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekelzahl</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabecular separation</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekelabstand</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabecular thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekeldicke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
@@ -5698,7 +4700,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>triangles must have the shape (count, 3, 3), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke müssen die Form (Anzahl, 3, 3) haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -5708,7 +4710,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>triangles must name vertices 0..{} of their object</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke müssen Ecken 0..{} ihres Objekts nennen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -5726,21 +4728,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>triangles of the mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>true area of the curve: it is 1.46 s^2 in the mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>true area of the end sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation type="unfinished"></translation>
@@ -5748,7 +4735,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>twice the surfaces crossed per length by parallel lines in all directions, over BV/TV.vox: the second route</source>
-        <translation type="unfinished"></translation>
+        <translation>doppelte Zahl der Durchstoßungen je Länge paralleler Linien aller Richtungen, durch BV/TV.vox: der zweite Weg</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -5758,42 +4745,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>um (guessed: the body would be {} mm large)</source>
-        <translation type="unfinished"></translation>
+        <translation>um (geschätzt: der Körper wäre {} mm groß)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>union and compensation need the package manifold3d; install it with: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>union by parallel rays through the rods' own triangles: no Boolean</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinigung und Korrektur brauchen das Paket manifold3d; so wird es installiert: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>union of rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>union of the rods in the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinigung der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>uniting contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen werden vereinigt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>unknown name {} in {}; known are {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>up to 10 % low</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannter Name {} in {}; bekannt sind {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -5803,7 +4775,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>value of b over value of a, less 1; 0 = equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert von b durch Wert von a, minus 1; 0 = gleich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5813,86 +4785,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>vertices of rods must have the shape (rods, vertices, 3), got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>voids that no opening reaches</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume along</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume by slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume by the triangles, BV/TV</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken von Stäben müssen die Form (Stäbe, Ecken, 3) haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume by the triangles; what overlaps counts twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of layers outside of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the STEP scaffold</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen aus den Dreiecken; was sich überlappt, zählt doppelt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>volume of the mesh and of the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Quaders um den Körper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>volume of the mesh by the divergence theorem</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the mesh of the same rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume of the mesh over the body's length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the rods, solids against meshes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5901,39 +4808,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the scaffold, solid against mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the solid by the kernel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume of the triangles by the divergence theorem</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>volume of the voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>volumes by rays</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen aus Strahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -5948,27 +4830,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>voxels asked for in a layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>voxels asked for, counted by a routine of its own (core/voxels/verification.py)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>voxels made in a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>voxels must be a bool array [z, y, x], got {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel müssen ein bool-Feld [z, y, x] sein, hier {} aus {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -5988,7 +4855,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>watertight {}: faulty edges</source>
-        <translation type="unfinished"></translation>
+        <translation>dichtes {}: fehlerhafte Kanten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
@@ -6019,12 +4886,7 @@
         <location filename="../../freecad_trabecula/core/guides.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>what meets what</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>which is up to 10 % low</source>
-        <translation type="unfinished"></translation>
+        <translation>was sich mit was trifft</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
@@ -6035,7 +4897,7 @@
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>Drahtgerüst</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -6052,17 +4914,17 @@
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>writing layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten werden geschrieben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>writing the tables of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabellen von {} werden geschrieben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
         <source>writing the workbook's sheet {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Tabellenblatt {} wird geschrieben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -6072,7 +4934,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>{} (the file's)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (der Datei)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
@@ -6080,29 +4942,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{} = make.body_objects({})[{}]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} against {}, {} apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} against {}, {} of it apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>{} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>{} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -6110,14 +4957,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} apart (at most {})</source>
-        <translation type="unfinished"></translation>
+        <translation>{} auseinander (höchstens {})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
@@ -6132,7 +4974,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} below {} mm3 left out</source>
-        <translation type="unfinished"></translation>
+        <translation>{} unter {} mm3 weggelassen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -6183,7 +5025,7 @@
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} could not be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht gelesen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
@@ -6204,12 +5046,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren {}, {} Stäbe, {} Dreiecke, Zellen von {} mm: etwa {} s und {} GB</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, {} pairs that come near: about {} s and {} GB</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren {}, {} Stäbe, {} Dreiecke, {} Paare, die sich nahe kommen: etwa {} s und {} GB</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -6229,27 +5071,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <source>{} is incomplete: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist unvollständig: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} is no folder of an analysis: {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist kein Ordner einer Analyse: {} {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{} is no proper {} file: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist keine richtige {}-Datei: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} is not a whole analysis: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist keine vollständige Analyse: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>{} is not allowed in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist in {} nicht erlaubt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -6264,32 +5106,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} mm3 together</source>
-        <translation type="unfinished"></translation>
+        <translation>{} mm3 zusammen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must be JSON: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss JSON sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{} must be UTF-8 text: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss UTF-8-Text sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>{} must be a closed mesh of finite co-ordinates, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein geschlossenes Netz mit endlichen Koordinaten sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} must be a closed mesh, each edge in two triangles that run along it opposite ways; it has {} triangles, {} open edges, {} edges of more than two triangles, {} edges run unevenly, {} triangles with a vertex named twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein geschlossenes Netz sein, jede Kante in zwei Dreiecken, die sie gegenläufig durchlaufen; es hat {} Dreiecke, {} offene Kanten, {} Kanten von mehr als zwei Dreiecken, {} ungleich durchlaufene Kanten, {} Dreiecke mit doppelter Ecke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>{} must be a finite number, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine endliche Zahl sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -6299,18 +5141,18 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <source>{} must be a list of numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Liste von Zahlen sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <source>{} must be a list of numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Liste von Zahlen sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be a list, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Liste sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
@@ -6331,18 +5173,18 @@
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be an object with keys, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein Objekt mit Schlüsseln sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>{} must be at least 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be at least {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -6363,7 +5205,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>{} must be finite, or nan for the body's own, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss endlich sein, oder nan für den Wert des Körpers, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -6405,12 +5247,12 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must be the report of a {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss der Bericht einer {} sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -6441,7 +5283,7 @@
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -6496,7 +5338,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>{} must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens ein Dreieck haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -6512,7 +5354,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must have the schema {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss das Schema {} haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -6522,7 +5364,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>{} must have triangles counter-clockwise seen from outside, got a volume of {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss Dreiecke haben, die von außen gesehen gegen den Uhrzeigersinn laufen, hier ein Volumen von {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
@@ -6542,12 +5384,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
         <source>{} must hold at least one layer, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens eine Schicht enthalten, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{} must hold at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens ein Dreieck enthalten, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -6567,7 +5409,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must hold {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss {} enthalten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -6584,7 +5426,7 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must lie in {}..{}, got {}</source>
-        <translation>{} muss in {}..{} liegen, ist aber {}</translation>
+        <translation>{} muss in {}..{} liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -6594,12 +5436,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>{} must name a field of the job; known here are {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein Feld des Auftrags nennen; bekannt sind hier {}, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>{} must number one of {} entries, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine von {} Zeilen nummerieren, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -6609,17 +5451,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>{} needs brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>{} braucht Klammern</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} of a mesh must have the shape (count, 3), got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} of it apart</source>
-        <translation type="unfinished"></translation>
+        <translation>{} eines Netzes müssen die Form (Anzahl, 3) haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -6629,12 +5466,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} des Hüllkörpers</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -6649,7 +5481,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} pairs that come near</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Paare, die sich nahe kommen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -6687,24 +5519,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>{} standard errors, loose pieces and voids left aside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} that no opening reaches, {} mm3 together: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ohne Öffnung, zusammen {} mm3: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} bis {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} vertices still share their point in single precision after {} nudges</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Ecken teilen nach {} Verschiebungen in einfacher Genauigkeit noch ihren Punkt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -6754,22 +5581,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{}, cut off all round, {} mm3 together, the largest {} mm3: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, ringsum abgetrennt, zusammen {} mm3, das größte {} mm3: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>{}, got {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, hier {} {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}, line 1: the columns must be {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Zeile 1: die Spalten müssen {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -6784,21 +5611,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}, line {}: it must hold {} numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Zeile {}: sie muss {} Zahlen enthalten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: the axis must be x, y or z, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{}.Deflection = {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{}.Label = {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6809,12 +5626,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{}: a mesh file must end in .stl, .obj, .ply or .3mf, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine Netzdatei muss auf .stl, .obj, .ply oder .3mf enden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>{}: a polyline must end with C or O; that of line {}{} is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: ein Linienzug muss mit C oder O enden; der von Zeile {}{} ist abgeschnitten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -6839,7 +5656,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>{}: an SSL file must begin with 'Slice V0' and 'SLICES()'; this one holds neither</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine SSL-Datei muss mit 'Slice V0' und 'SLICES()' beginnen; diese enthält keines</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
@@ -6849,17 +5666,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: axes.{} does not fit its profile of {} slices: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: axes.{} passt nicht zu seinem Profil von {} Schnitten: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{}: co-ordinates must be finite</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Koordinaten müssen endlich sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>{}: co-ordinates must be finite and at most {} mm, got {}..{} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Koordinaten müssen endlich und höchstens {} mm sein, hier {}..{} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
@@ -6909,22 +5726,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: layers must be those of the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Schichten müssen die des Profils sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Netz</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: morphometry</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Morphometrie</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Parameter</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -6944,7 +5761,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}: the column {} must hold whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Spalte {} muss ganze Zahlen enthalten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
@@ -6984,7 +5801,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}: the layers must be counted 0, 1, 2, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Schichten müssen 0, 1, 2, ... gezählt sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -7004,33 +5821,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{}: triangles must name vertices 0..{}, got {}..{}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Dreiecke müssen Ecken 0..{} nennen, hier {}..{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
         <source>{}: {} against {}, {} apart (at most {})</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} gegen {}, {} auseinander (höchstens {})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} is resampled by area from layers of {} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} wird flächentreu aus Schichten von {} mm umgerechnet.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} layers of {} mm, {} to {} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} Schichten von {} mm, {} bis {} mm.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} reaches {} mm below and {} mm above.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} reicht {} mm tiefer und {} mm höher.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} to {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} bis {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -7040,12 +5856,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine needs manifold3d: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; das genaue Netzverfahren braucht manifold3d: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine would take about {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; das genaue Netzverfahren bräuchte etwa {} s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>

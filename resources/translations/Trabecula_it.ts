@@ -1628,154 +1628,68 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>1 / (Tb.Th + Tb.Sp); programs that measure between mid-axes, or divide BV/TV by Tb.Th, get other numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>1 / (Tb.Th + Tb.Sp); i programmi che misurano tra gli assi medi, o dividono BV/TV per Tb.Th, danno altri numeri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>1 less what the body adds to the Euler number of the structure it was cut out of: the box's faces count half, its edges a quarter, its corners an eighth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 (1 - V_solid / V_envelope), volumes by the kernel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>100 (1 - sliced area / area of the envelope's slice)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 (V_envelope - V_scaffold) / V_envelope, volumes by the divergence theorem over the triangles of what is exported</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 V_union / V_envelope, the union by the engine, before loose pieces are taken away or voids filled</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 V_union / V_envelope, the union of the rods by parallel rays through their triangles, with its standard error; loose pieces stay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 solid voxels / voxels of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>100 sum V_rod / V_envelope, crossings counted as often as they come; what the thesis added up for case 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>100 sum of sliced areas / sum of the envelope's</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 times the mean over an axis' layers of |made - asked for| / asked for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 voxels of the largest part / solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>100 x twice the common solid voxels over the sum of both</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>1e-9 of it for blocks; told for smooth surfaces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>2 BV / BS over the largest edge of a voxel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>6e-15 on 960 planes; of solids what tessellation changes</source>
-        <translation type="unfinished"></translation>
+        <translation>1 meno ciò che il corpo aggiunge al numero di Eulero della struttura da cui è tagliato: le facce del parallelepipedo contano metà, gli spigoli un quarto, i vertici un ottavo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>; closed layers need a Boolean</source>
-        <translation type="unfinished"></translation>
+        <translation>; gli strati chiusi richiedono un'operazione booleana</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>; exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>; it is not there now</source>
-        <translation type="unfinished"></translation>
+        <translation>; esatto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>Analysis {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>BS over BV</source>
-        <translation type="unfinished"></translation>
+        <translation>BS su BV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>BV over TV; porosity is 1 less it</source>
-        <translation type="unfinished"></translation>
+        <translation>BV su TV; la porosità è 1 meno questa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>BV/TV is {} by triangles and {} by voxels: parts of the mesh overlap (then the voxels are right), or are thinner than a voxel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Bodies as wholes (morphometry)</source>
-        <translation type="unfinished"></translation>
+        <translation>BV/TV è {} per triangoli e {} per voxel: parti della mesh si sovrappongono (allora valgono i voxel), o sono più sottili di un voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Conn over TV</source>
-        <translation type="unfinished"></translation>
+        <translation>Conn su TV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>DA by all lines through BS, from its normals: the second route, exact</source>
-        <translation type="unfinished"></translation>
+        <translation>DA con tutte le linee per BS, dalle sue normali: la seconda via, esatta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>DA.mesh: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>DA.mesh: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>DA: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Designs of rods, scaffolds, variants</source>
-        <translation type="unfinished"></translation>
+        <translation>DA: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Euler number</source>
-        <translation type="unfinished"></translation>
+        <translation>numero di Eulero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1783,24 +1697,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>Green's theorem over the cubic pieces, exact</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Hellinger distance of the distributions of trabecular area over logarithmic bins, five per decade with borders at 10^(k/5) mm2: sqrt(sum (sqrt p - sqrt q)^2 / 2); 0 = equal, 1 = no bin shared</source>
-        <translation type="unfinished"></translation>
+        <translation>distanza di Hellinger delle distribuzioni di area trabecolare su classi logaritmiche, cinque per decade con limiti a 10^(k/5) mm2: radice(somma (radice p - radice q)^2 / 2); 0 = uguali, 1 = nessuna classe comune</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Kolmogorov-Smirnov distance of the distributions of trabecular area (net of holes, each trabecula of each slice once): largest difference of the two shares of trabeculae up to an area; not binned; 0 = equal, 1 = apart</source>
-        <translation type="unfinished"></translation>
+        <translation>distanza di Kolmogorov-Smirnov delle distribuzioni di area trabecolare (al netto dei fori, ogni trabecola di ogni fetta una volta): massima differenza delle quote fino a un'area; senza classi; 0 = uguali, 1 = separate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -1810,7 +1714,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>MIL.max su MIL.min con linee tra i voxel, fino al 10 % in meno; 1 = isotropo; 1 - 1/DA^2 va da 0 a 1</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -1830,22 +1734,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Pearson's correlation of the profiles over the shared layers; 1 = same shape; none if a profile is constant</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>Round(sliced area / area of a voxel's face), brought to one total of the three axes</source>
-        <translation type="unfinished"></translation>
+        <translation>correlazione di Pearson dei profili sugli strati comuni; 1 = stessa forma; nessuna se un profilo è costante</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Samples are laid side by side by {}; differences are against {}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Scores of the slice passport</source>
-        <translation type="unfinished"></translation>
+        <translation>I campioni sono affiancati secondo {}; le differenze sono rispetto a {}.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/makers.py"/>
@@ -1855,7 +1749,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Sliced area (mm2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Area delle fette (mm2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1875,27 +1769,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of plates</source>
-        <translation type="unfinished"></translation>
+        <translation>Numero totale di piastre</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Numero totale di aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Trabecular area range (mm2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Intervallo delle aree trabecolari (mm2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>Voxel designs</source>
-        <translation type="unfinished"></translation>
+        <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -1903,7 +1792,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels {}</source>
         <translation type="unfinished"></translation>
@@ -1916,23 +1804,23 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>a 3MF file must be a whole ZIP archive: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un file 3MF deve essere un archivio ZIP intero: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>a 3MF file must hold {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un file 3MF deve contenere {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>a Boolean must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'operazione booleana deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>a PLY file must begin with its header</source>
-        <translation type="unfinished"></translation>
+        <translation>un file PLY deve cominciare con la sua intestazione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -1982,7 +1870,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a comparison needs at least two analyses, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un confronto richiede almeno due analisi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -1992,17 +1880,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
         <source>a coupled face must have at least 1 site, got 0 on face {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia accoppiata deve avere almeno 1 sito, qui 0 sulla faccia {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a coupling must join faces of the job ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un accoppiamento deve unire facce del lavoro ({}), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
         <source>a coupling must join faces that have sites ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un accoppiamento deve unire facce che hanno siti ({}), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2067,7 +1955,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a design must have at most {} rods; this one would take about {} hours and {} GB, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto può avere al più {} aste; questo richiederebbe circa {} ore e {} GB, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -2087,17 +1975,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>a fabric ellipsoid needs at least 6 directions, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un ellissoide di tessitura richiede almeno 6 direzioni, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>a fabric needs a surface that lines cross, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>una tessitura richiede una superficie tagliata da linee, qui nessuna</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
         <source>a face can be coupled with itself only if it is curved: rods of the flat face {} would lie in its plane</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia si può accoppiare con sé stessa solo se è curva: le aste della faccia piana {} starebbero nel suo piano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2122,7 +2010,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a face must have one normal per vertex, got {} for {} vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia deve avere una normale per vertice, qui {} per {} vertici</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
@@ -2132,7 +2020,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a face to be thickened must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia da ispessire deve avere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -2142,17 +2030,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>a field may have {} nodes; a cell size of {} mm needs {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campo può avere {} nodi; una cella di {} mm ne richiede {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
         <source>a file of layers is read as it is: heights and a range cannot be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>un file di strati si legge com'è: quote e intervallo non si possono scegliere</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job must be JSON: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un lavoro deve essere JSON: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
@@ -2162,32 +2050,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job needs at least one coupling, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un lavoro richiede almeno un accoppiamento, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job needs either an envelope file or a prism, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un lavoro richiede un file d'involucro o un prisma, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job's numbers must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i numeri di un lavoro devono essere finiti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una legge deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law's bounds must be finite numbers, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i limiti di una legge devono essere numeri finiti, qui {} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -2212,12 +2100,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato deve essere più sottile del minimo raggio di curvatura della sua faccia: a {} mm si piegano {} di {} triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>a layer must be thinner than the least radius of its face's curvature: at {} mm {} of {} triangles fold, and smoothing does not help</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato deve essere più sottile del minimo raggio di curvatura della sua faccia: a {} mm si piegano {} di {} triangoli, e lisciare non aiuta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2252,7 +2140,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>a mesh format must be one of stl, ply, obj, 3mf, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un formato di mesh deve essere uno di stl, ply, obj, 3mf, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -2272,7 +2160,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>a mesh must have at least one vertex to have bounds, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve avere almeno un vertice per avere limiti, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
@@ -2292,7 +2180,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>a mesh to be voxelised must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh da voxelizzare deve avere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
@@ -2302,7 +2190,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
         <source>a number must be one of {} that are explained, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un numero deve essere uno dei {} spiegati, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/patchwork.py"/>
@@ -2327,12 +2215,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a profile to be compared must have slices, {} has none along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un profilo da confrontare deve avere fette, {} non ne ha lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a quantity must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una grandezza deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
@@ -2357,7 +2245,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a sample must be numbered 0 to {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere un numero da 0 a {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
@@ -2427,7 +2315,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a setting must read name=value, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'impostazione deve essere nome=valore, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
@@ -2442,7 +2330,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
         <source>a sheet of a workbook holds at most {} contours, got {} along {}; thicker layers have fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>un foglio contiene al più {} contorni, qui {} lungo {}; strati più spessi ne hanno meno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -2517,7 +2405,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>a tenth of the void has spheres up to it</source>
-        <translation type="unfinished"></translation>
+        <translation>un decimo del vuoto ha sfere fino a questo diametro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
@@ -2527,7 +2415,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>a thickness needs a surface, got voxels that are all on one side of it</source>
-        <translation type="unfinished"></translation>
+        <translation>uno spessore richiede una superficie, qui i voxel stanno tutti dallo stesso lato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -2577,7 +2465,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'allineamento deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -2587,7 +2475,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>all layers must have one thickness, got {} to {} mm in {} layers</source>
-        <translation type="unfinished"></translation>
+        <translation>tutti gli strati devono avere un solo spessore, qui da {} a {} mm in {} strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -2612,7 +2500,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>an axis must be x, y, z or a direction of three numbers such as 0.6,0.8,0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un asse deve essere x, y, z o una direzione di tre numeri come 0.6,0.8,0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -2627,7 +2515,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>an envelope file needs faces with sites, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un file d'involucro richiede facce con siti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
@@ -2682,7 +2570,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>an estimate can be made for the mesh or the field engine, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>si può stimare per il metodo a mesh o a campo, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
@@ -2692,42 +2580,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>an expression holds numbers only, got {} in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una formula contiene solo numeri, qui {} in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>an expression must have 1 to {} characters, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una formula deve avere da 1 a {} caratteri, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>analyses to be compared must have an axis in common, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le analisi da confrontare devono avere un asse in comune, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>analyses to be compared must share at least one layer of {} mm along {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>another program's slices in the tests; of solids the kernel's own sections (make.exact_slices)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>area and volume of the triangles, BS/BV</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>area of an outer contour less those of its holes</source>
-        <translation type="unfinished"></translation>
+        <translation>le analisi da confrontare devono avere in comune almeno uno strato di {} mm lungo {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>area of the triangles, those in the box's faces (cuts) left out</source>
-        <translation type="unfinished"></translation>
+        <translation>area dei triangoli, esclusi quelli sulle facce del parallelepipedo (tagli)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -2742,31 +2615,6 @@
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>at most 0.2 % apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>at most {} of the envelope apart; with the field engine {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>at most {} standard errors of the rays apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>available less left is the number of rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>available sites that the coupling did not use</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2785,44 +2633,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>blocks of 2 x 2 x 2 voxels with two opposite corners alone of their kind, solid or void</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>bone fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>i corpi devono essere di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone surface</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie ossea</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume</source>
-        <translation type="unfinished"></translation>
+        <translation>volume osseo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>frazione di volume osseo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>bone volume fraction, by voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>both routes</source>
-        <translation type="unfinished"></translation>
+        <translation>frazione di volume osseo, per voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
@@ -2832,38 +2665,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>branches</source>
-        <translation type="unfinished"></translation>
+        <translation>rami</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>branches per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>rami per mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>building the {}</source>
-        <translation type="unfinished"></translation>
+        <translation>costruzione: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/marching.py"/>
         <source>case {}: no triangulation without chords in faces</source>
-        <translation type="unfinished"></translation>
+        <translation>caso {}: nessuna triangolazione senza corde nelle facce</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>casting rays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>cavities found from the shells of the scaffold and from those of the channels</source>
-        <translation type="unfinished"></translation>
+        <translation>lancio dei raggi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <source>cavities seen from inside and from outside</source>
-        <translation type="unfinished"></translation>
+        <translation>cavità viste da dentro e da fuori</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
@@ -2873,27 +2700,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>cells of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>celle di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>chains of trabeculae that go on from slice to slice, each overlapping one of the next and no other, over the distance from the first slice to the last</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>channels by triangles and by rays</source>
-        <translation type="unfinished"></translation>
+        <translation>catene di trabecole che proseguono di fetta in fetta, ognuna sovrapposta a una sola della successiva, sulla distanza dalla prima all'ultima fetta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>canali per triangoli e per raggi, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>checks</source>
-        <translation type="unfinished"></translation>
+        <translation>controlli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2901,50 +2723,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>clock time of cutting the channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>clock time of targets, design and mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>closed cavities</source>
-        <translation type="unfinished"></translation>
+        <translation>cavità chiuse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {}; or choose layers that are not closed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>closed shells of its triangles, the voids inside one counted with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>closed shells of their triangles, the holes inside one counted with it</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati chiusi richiedono un'operazione booleana che li tolga dalle aste, e questa manifold3d: {}; oppure scegliere strati non chiusi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
-        <translation type="unfinished"></translation>
+        <translation>i vuoti chiusi sono {} dell'involucro: molti canali non hanno uscita</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>co-ordinates must be finite and below 3.4e38 mm for a file, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le coordinate per un file devono essere finite e sotto 3.4e38 mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>co-ordinates of rods must be finite, got nan or infinite mm</source>
-        <translation type="unfinished"></translation>
+        <translation>le coordinate delle aste devono essere finite, qui nan o infinito mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -2952,44 +2753,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>common total less the sum of an axis' rounded counts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>comparison = make.compare_analyses([{}])</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>connected parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected pieces of the channels that touch no face of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected pieces of the scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>connected pieces of the scaffold that channels cut off all round; they are taken away unless they are to be kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>connectivity density</source>
-        <translation type="unfinished"></translation>
+        <translation>densità di connettività</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
@@ -2997,64 +2763,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>contacts by a corner alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>contacts by an edge alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must have one start more than planes, and as many points as the last start says, got {} starts, {} planes, {} marks, points {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i contorni devono avere un inizio in più dei piani e tanti punti quanti dice l'ultimo inizio, qui {} inizi, {} piani, {} marche, punti {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must lie in the order of their planes, 0..{}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours of more area than the least</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours of more area than the least on a slice, holes among them: the thesis' number of trabeculae</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours that are no holes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours that are no rods, voids among them (their area is negative)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>contours whose area is at least 0.6 of their box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>count of the pairs that were coupled</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>count of the solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>count of the solid voxels of the layer</source>
-        <translation type="unfinished"></translation>
+        <translation>i contorni devono stare nell'ordine dei loro piani, 0..{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
@@ -3069,12 +2785,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>couplings</source>
-        <translation type="unfinished"></translation>
+        <translation>accoppiamenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>cutting triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>taglio dei triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -3084,17 +2800,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>degree of anisotropy</source>
-        <translation type="unfinished"></translation>
+        <translation>grado di anisotropia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>degree of anisotropy, by triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>delta_X, delta_Y, delta_Z</source>
-        <translation type="unfinished"></translation>
+        <translation>grado di anisotropia, per triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
@@ -3127,79 +2838,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>diameter of the circle, or side of the square through the corners, as drawn from the law of the pores</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the solid</source>
-        <translation type="unfinished"></translation>
+        <translation>diametro della massima sfera nel solido</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the void</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>difference half way along the shared stretch, linear between the layers' middles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>difference in the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>difference of the largest size over the shared layers, with its sign; at: the middle of its layer</source>
-        <translation type="unfinished"></translation>
+        <translation>diametro della massima sfera nel vuoto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>distances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over its triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over its triangles in double precision</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over the triangles of union of the rods and envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>divergence theorem over their triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>distanze</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>dmean area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>document = FreeCAD.ActiveDocument or FreeCAD.newDocument()</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>document = FreeCAD.newDocument()</source>
-        <translation type="unfinished"></translation>
+        <translation>dmean area</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/svg_layers.py"/>
         <source>drawing layers</source>
-        <translation type="unfinished"></translation>
+        <translation>disegno degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3209,12 +2870,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/profiles.py"/>
         <source>each contour must have one row of measures, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni contorno deve avere una riga di misure, qui {} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>each face must have at least three corners, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni faccia deve avere almeno tre vertici, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
@@ -3229,12 +2890,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>each vertex must have three co-ordinates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>edges at which two solid voxels meet across, the other two being void</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni vertice deve avere tre coordinate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
@@ -3245,34 +2901,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>envelope less rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>equal layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>equal layers, and pairs of neighbours between which the curves cross</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>equal numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>equal numbers on every layer of the three axes, or the design is refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>equal numbers, or the scaffold is refused</source>
-        <translation type="unfinished"></translation>
+        <translation>involucro meno aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -3285,19 +2914,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>estimated area of the end sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>estimated porosity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>every axis may be named once, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni asse può essere nominato una volta, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
@@ -3307,7 +2926,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>every face must be named once, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni faccia deve essere nominata una volta, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -3363,7 +2982,7 @@
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>faults</source>
-        <translation type="unfinished"></translation>
+        <translation>difetti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
@@ -3373,27 +2992,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
-        <translation type="unfinished"></translation>
+        <translation>ricerca dei doppioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>floating voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>from freecad_trabecula import make</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/python_text.py"/>
-        <source>from {} import {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ricerca delle parti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -3401,53 +3005,33 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>half a layer's variation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>half of the void has spheres up to it</source>
-        <translation type="unfinished"></translation>
+        <translation>metà del vuoto ha sfere fino a questo diametro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le quote devono essere finite, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must be given with at='heights', and only then, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le quote vanno date con at='heights', e solo allora, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must rise, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le quote devono crescere, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>heights of planes must be finite and rise</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>how often a faulty rod was drawn anew until it was sound</source>
-        <translation type="unfinished"></translation>
+        <translation>le quote dei piani devono essere finite e crescenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>import FreeCAD</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>intercepts of lines through the voxels, BS/BV.vox</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3468,7 +3052,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>items must show objects of the model, at most {} deep, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>gli elementi devono mostrare oggetti del modello, al più {} livelli, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -3478,62 +3062,52 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>its standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>la sua deviazione standard</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
         <source>joining open contours</source>
-        <translation type="unfinished"></translation>
+        <translation>unione dei contorni aperti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>joining the slabs</source>
-        <translation type="unfinished"></translation>
+        <translation>unione delle lastre</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/neighbours.py"/>
         <source>joining the triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>connessione dei triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
-        <translation type="unfinished"></translation>
+        <translation>giunzioni per mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>largest balls</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>largest difference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>largest of the tables alpha and beta</source>
-        <translation type="unfinished"></translation>
+        <translation>massime sfere</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>largest trabecular area</source>
-        <translation type="unfinished"></translation>
+        <translation>area trabecolare massima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>largest trabecular separation</source>
-        <translation type="unfinished"></translation>
+        <translation>separazione trabecolare massima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>largest trabecular thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>spessore trabecolare massimo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>largest value of b less largest of a over the shared layers</source>
-        <translation type="unfinished"></translation>
+        <translation>massimo di b meno massimo di a sugli strati comuni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
@@ -3568,46 +3142,26 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers follow smoothed normals at {} points where a face bends more sharply than {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati seguono normali lisciate in {} punti, dove una faccia curva più di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers inwards must leave a part of the envelope, but {} mm take all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati verso l'interno devono lasciare una parte dell'involucro, ma {} mm lo prendono tutto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers inwards that the channels go through are the envelope itself: nothing changes</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati verso l'interno attraversati dai canali sono l'involucro stesso: non cambia nulla</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>layers on faces that bend sharply need the package scipy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>layers whose middles (or bottoms) lie in the body</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati su facce molto curve richiedono il pacchetto scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>least and greatest of the variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>least and greatest of the variants' porosities</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>least cap on alpha and beta with which a table has the layers' sums</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3621,119 +3175,69 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>lines through the voxels, DA</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>longest half axis of the fabric ellipsoid, by voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>semiasse maggiore dell'ellissoide di tessitura, per voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>longest mean intercept length</source>
-        <translation type="unfinished"></translation>
+        <translation>massima lunghezza media di intercetta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/crossings.py"/>
         <source>looking for triangles that cross</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>loose pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>ricerca di triangoli che si incrociano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>loose pieces are {} of the envelope: the channels cut the scaffold apart</source>
-        <translation type="unfinished"></translation>
+        <translation>i pezzi staccati sono {} dell'involucro: i canali tagliano lo scaffold</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean bone fraction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>mean deviation of the trabeculae</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean difference</source>
-        <translation type="unfinished"></translation>
+        <translation>m (stimato: il corpo sarebbe di {} mm)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>mean intercept length</source>
-        <translation type="unfinished"></translation>
+        <translation>lunghezza media di intercetta (MIL)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean of b less mean of a over the shared layers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean over the shared layers of sample less first sample</source>
-        <translation type="unfinished"></translation>
+        <translation>media di b meno media di a sugli strati comuni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the solid of the largest inscribed sphere's diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>media sul solido del diametro della massima sfera inscritta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the void inside the box of the largest inscribed sphere's diameter: mean pore size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>mean porosity of the variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>mean sliced area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>mean thickness of the sample</source>
-        <translation type="unfinished"></translation>
+        <translation>media sul vuoto nel parallelepipedo del diametro della massima sfera inscritta: dimensione media dei pori</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean trabecular area of b less that of a</source>
-        <translation type="unfinished"></translation>
+        <translation>area trabecolare media di b meno quella di a</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>measuring contours</source>
-        <translation type="unfinished"></translation>
+        <translation>misura dei contorni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>measuring triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>misura dei triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/recovery.py"/>
@@ -3749,7 +3253,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>mesh {}{} of the {}</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh {}{} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
@@ -3759,27 +3263,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>mm (guessed: the body would be {} mm large)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>more than 2 % is noted: the mesh overlaps itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>most solid voxels in a line (x, z) and (y, z)</source>
-        <translation type="unfinished"></translation>
+        <translation>mm (stimato: il corpo sarebbe di {} mm)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>must be a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>deve essere un numero finito</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>must be at least {}</source>
-        <translation type="unfinished"></translation>
+        <translation>deve essere almeno {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -3794,7 +3288,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>must lie in {}..{}</source>
-        <translation type="unfinished"></translation>
+        <translation>deve stare in {}..{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
@@ -3810,7 +3304,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>nine tenths of the void have spheres up to it</source>
-        <translation type="unfinished"></translation>
+        <translation>nove decimi del vuoto hanno sfere fino a questo diametro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
@@ -3848,11 +3342,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>no rod may be left out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
         <translation type="unfinished"></translation>
@@ -3873,26 +3362,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>no tolerance: another rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>no tolerance: it says how far variants are from chance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>no tolerance: the estimate is the thesis'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>no tolerance: voxels round the surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
         <translation type="unfinished"></translation>
@@ -3903,11 +3372,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>normals of the triangles, DA.mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>nothing is left of the envelope: the rods fill it</source>
         <translation type="unfinished"></translation>
@@ -3915,16 +3379,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>number of parts</source>
-        <translation type="unfinished"></translation>
+        <translation>numero di parti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>of drawn curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3935,7 +3394,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>offsetting contours</source>
-        <translation type="unfinished"></translation>
+        <translation>traslazione dei contorni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -3955,17 +3414,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>only a cut that was made can be undone, got 0 cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>solo un taglio fatto può essere annullato, qui 0 tagli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>only {} can be called in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>solo {} si può chiamare in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>operator {} is not allowed in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'operatore {} non è ammesso in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -3974,19 +3433,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>outer contours</source>
         <translation>contorni esterni</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>outer contours that are no rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>outer contours whose area is at least 0.6 of their box</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3996,44 +3444,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the solid</source>
-        <translation type="unfinished"></translation>
+        <translation>sul solido</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the void</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>overlap of two variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>overlap to expect of unrelated designs with the same layers</source>
-        <translation type="unfinished"></translation>
+        <translation>sul vuoto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>overlaps less trabeculae plus parts of the graph: ways that part and meet again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>own definition</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>own definition (docs/method.md, section 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>sovrapposizioni meno trabecole più parti del grafo: vie che si separano e si ritrovano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>painting balls</source>
-        <translation type="unfinished"></translation>
+        <translation>disegno delle sfere</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -4041,34 +3467,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>pairs of the couplings that are on, less the rods that nothing mended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>part of the balance of all volumes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>parts less handles plus cavities, of the voxels as a closed body</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>parts of solid voxels, neighbours by a face</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>parts of void voxels, neighbours by a face, that touch no border</source>
-        <translation type="unfinished"></translation>
+        <translation>parti meno manici più cavità, dei voxel come corpo chiuso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -4078,31 +3479,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>pezzi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pieces of solid voxels, 26 neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>pezzi di voxel pieni, 26 vicini</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pieces of void voxels, 6 neighbours, that touch no face of the box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>plain sum of the rods</source>
-        <translation type="unfinished"></translation>
+        <translation>pezzi di voxel vuoti, 6 vicini, che non toccano facce del parallelepipedo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>plates of all contours</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4116,58 +3507,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>points of Eq. 2.1 on a prism; points of the co-ordinate lines on other faces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pore diameter, 10 % of the void</source>
-        <translation type="unfinished"></translation>
+        <translation>diametro dei pori, 10 % del vuoto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pore diameter, 50 % of the void</source>
-        <translation type="unfinished"></translation>
+        <translation>diametro dei pori, 50 % del vuoto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>pore diameter, 90 % of the void</source>
-        <translation type="unfinished"></translation>
+        <translation>diametro dei pori, 90 % del vuoto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>pore layout</source>
-        <translation type="unfinished"></translation>
+        <translation>la forma dei pori</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>pore sizes must be at least {} mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le dimensioni dei pori devono essere almeno {} mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>pores and paths</source>
-        <translation type="unfinished"></translation>
+        <translation>pori e percorsi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>porosity of a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>porosity of the STEP scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>porosity of the scaffold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4222,15 +3593,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rays through the rods' own triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>reading layers</source>
-        <translation type="unfinished"></translation>
+        <translation>lettura degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4240,12 +3606,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>relative L1 distance of the profiles: sum |b - a| / sum |a| over the shared layers; 0 = equal</source>
-        <translation type="unfinished"></translation>
+        <translation>distanza L1 relativa dei profili: somma |b - a| / somma |a| sugli strati comuni; 0 = uguali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>relative L2 distance of the profiles: sqrt(sum (b - a)^2 / sum a^2) over the shared layers; 0 = equal</source>
-        <translation type="unfinished"></translation>
+        <translation>distanza L2 relativa dei profili: radice(somma (b - a)^2 / somma a^2) sugli strati comuni; 0 = uguali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -4270,12 +3636,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>rod {}{} of {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>rods and plates by a rule that turning the part does not change (report)</source>
-        <translation type="unfinished"></translation>
+        <translation>asta {}{} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
@@ -4283,12 +3644,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rods cut from the STEP scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>rods made, of those that were coupled</source>
         <translation type="unfinished"></translation>
@@ -4296,27 +3651,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>rods of all contours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rods of the wireframe</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>rods whose channels the B-Rep engine cut, of all</source>
-        <translation type="unfinished"></translation>
+        <translation>le aste devono essere mesh chiuse: ogni raggio deve uscire quante volte entra, {} non lo fanno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>rounds of gap fill must be at least 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le passate di chiusura lacune devono essere almeno 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
@@ -4324,39 +3664,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>scaffold + channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>scaffold + canali + pezzi staccati = involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>scaffold + channels + loose pieces, each by its own triangles, against the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>scaffold + canali + pezzi staccati = involucro, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels = envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>scaffold + canali = involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels = envelope, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>scaffold + canali = involucro, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold in double and in single precision, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>scaffold in precisione doppia e singola, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4364,20 +3694,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>score {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
-        <source>second route</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4388,37 +3707,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>share of contours that are rods (thesis' rule), b less a</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>share of solid voxels, BV/TV.vox</source>
-        <translation type="unfinished"></translation>
+        <translation>quota di contorni che sono aste (regola della tesi), b meno a</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>share of the largest part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>shared layers on which both values are the same number</source>
-        <translation type="unfinished"></translation>
+        <translation>quota di voxel pieni: la seconda via</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>shortest half axis of the fabric ellipsoid, by voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>semiasse minore dell'ellissoide di tessitura, per voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>shortest mean intercept length</source>
-        <translation type="unfinished"></translation>
+        <translation>minima lunghezza media di intercetta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -4431,21 +3735,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sites available</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sites left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sites of both faces that are on and that no earlier coupling used</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/features/tasks.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
@@ -4454,15 +3743,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>size of the end sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>sliced area</source>
-        <translation type="unfinished"></translation>
+        <translation>area delle fette</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -4475,24 +3758,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>slices through an open, turned or doubled place of the mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>smallest possible caps</source>
-        <translation type="unfinished"></translation>
+        <translation>affettatura lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>smallest value of b less smallest of a over the shared layers</source>
-        <translation type="unfinished"></translation>
+        <translation>minimo di b meno minimo di a sugli strati comuni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4520,21 +3793,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>solid voxels outside of the largest part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>solid voxels x dx dy dz</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation type="unfinished"></translation>
@@ -4552,87 +3810,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>specific bone surface</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie ossea specifica</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>specific bone surface, by voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>spoilt slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sqrt(sum (P - mean)^2 / (n - 1)); of a sample, as the thesis' repeats are</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>standard deviation of the variants</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum (x_i y_i+1 - x_i+1 y_i) / 2 over the corners of a contour, voids negative; least and greatest of the contours of more area than the least</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of both axes' tolerances of the volume</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of sliced area x thickness</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of sliced areas over the number of slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>sum of the areas of all contours of a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>sum of the layers along each of the three axes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the rods' solids by the kernel, where the network is built</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the variants' porosities over their number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum of the volumes of the rods' solids by the kernel, crossings counted as often as they come</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>sum over the rods of 30 to 75 s, by curvature of the path and number of sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>sums of the targets along X, Y and Z</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie ossea specifica, per voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4674,12 +3857,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>taken away</source>
-        <translation type="unfinished"></translation>
+        <translation>tolto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>tangent component</source>
-        <translation type="unfinished"></translation>
+        <translation>componente della tangente</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4700,17 +3883,17 @@
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the PLY file ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>il file PLY finisce troppo presto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>the PLY file must be binary, little-endian</source>
-        <translation type="unfinished"></translation>
+        <translation>il file PLY deve essere binario, little-endian</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>the PLY file must hold vertices and faces, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il file PLY deve contenere vertici e facce, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -4731,12 +3914,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>the body could not be measured as a whole: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>the body {} ({}, {}) in the active document; it was modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>il corpo non si è potuto misurare nel suo insieme: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4766,12 +3944,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>the cell size must be above 0 mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il lato della cella deve superare 0 mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>the cells of the field engine are too coarse for these rods: make them smaller, or take the mesh engine</source>
-        <translation type="unfinished"></translation>
+        <translation>le celle del metodo a campo sono troppo grosse per queste aste: rimpicciolirle, o usare il metodo a mesh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4786,7 +3964,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the compensation must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la compensazione deve essere finita, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -4827,12 +4005,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the direction of a law must be three finite numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la direzione di una legge deve essere di tre numeri finiti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the direction of a linear law must not be zero, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la direzione di una legge lineare non deve essere nulla, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4860,7 +4038,7 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>l'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4875,12 +4053,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>the envelope must be at least two cells thick; it measures {} mm, a cell {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>l'involucro deve essere spesso almeno due celle; misura {} mm, una cella {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>the envelope must enclose a volume above 0, got {} mm3: it is inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>l'involucro deve racchiudere un volume maggiore di 0, qui {} mm3: è rovesciato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
@@ -4890,22 +4068,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>the envelope's triangles must turn counter-clockwise seen from outside; its volume is {} mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli dell'involucro devono essere antiorari visti da fuori; il suo volume è {} mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the expression {} cannot be computed: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la formula {} non si può calcolare: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the expression {} cannot be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la formula {} non si può leggere: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>the expression {} must give finite numbers, got {} at ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>la formula {} deve dare numeri finiti, qui {} in ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
@@ -4920,7 +4098,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
         <source>the faces of the PLY file must be triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>le facce del file PLY devono essere triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/chosen_fields.py"/>
@@ -4953,18 +4131,8 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>the file {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>the file {} could not be read: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>the file {}; it is not there now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4985,7 +4153,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the format of a PLY file must be ascii or binary, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il formato di un file PLY deve essere ascii o binary, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5000,7 +4168,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>the job's schema must be {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>lo schema del lavoro deve essere {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
@@ -5060,7 +4228,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>the low ends of their boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>gli estremi inferiori dei loro parallelepipedi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -5105,27 +4273,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>the middles of their boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>i centri dei loro parallelepipedi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file may have at most {} bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>il modello di un file 3MF può avere al più {} byte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file must be proper XML: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il modello di un file 3MF deve essere XML corretto: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file must have an item to build</source>
-        <translation type="unfinished"></translation>
+        <translation>il modello di un file 3MF deve avere un elemento da costruire</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the number of corners of a pore must lie in 3..12, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il numero di vertici di un poro deve stare in 3..12, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -5171,31 +4339,16 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the range of layers must meet the body, {}..{} mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'intervallo degli strati deve incontrare il corpo, {}..{} mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the ratio from which a contour is a rod must lie in 0..1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il rapporto da cui un contorno è un'asta deve stare in 0..1, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>the same along another axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>the same cut by the mesh engine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>the same in single precision, as it is in the file; and the balance of all volumes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5206,11 +4359,6 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>the scaffold, once it is built</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5241,7 +4389,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>the side of a plane must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il lato di un piano deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -5266,7 +4414,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>the size of voxels must be &gt; 0, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>il lato dei voxel deve essere &gt; 0, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -5291,7 +4439,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>the spacing of rows must be &gt; 0, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>il passo delle righe deve essere &gt; 0, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5342,17 +4490,17 @@
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>the thickness of a layer must be above 0 mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>lo spessore di uno strato deve superare 0 mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>the thickness of a layer must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>lo spessore di uno strato deve essere maggiore di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>the thickness of common layers must be &gt; 0, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>lo spessore degli strati comuni deve essere &gt; 0, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5372,7 +4520,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
         <source>the triangles of a face must run along each edge at most once each way</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli di una faccia devono percorrere ogni spigolo al più una volta per verso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
@@ -5387,27 +4535,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>the union of rods</source>
-        <translation type="unfinished"></translation>
+        <translation>l'unione delle aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>the unit must be auto or one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'unità deve essere auto o una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>the unit must be one of auto, {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'unità deve essere auto o una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>the unit must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'unità deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the unit of a 3MF file must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'unità di un file 3MF deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -5442,22 +4590,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>their own zeros</source>
-        <translation type="unfinished"></translation>
+        <translation>i loro zeri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there may be at most {} heights, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ci possono essere al più {} quote, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there may be at most {} planes along an axis; {} mm in layers of {} mm are {} planes, which would take about {} times the minute and 15 GB that {} take; layers of at least {} mm are possible</source>
-        <translation type="unfinished"></translation>
+        <translation>ci possono essere al più {} piani per asse; {} mm in strati di {} mm sono {} piani, che richiedono circa {} volte il minuto e i 15 GB di {}; sono possibili strati di almeno {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>there may be at most {} voxels, a size of {} mm makes {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ci possono essere al più {} voxel, un lato di {} mm ne dà {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -5467,7 +4615,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there must be at least one axis to slice along, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>serve almeno un asse lungo cui affettare, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
@@ -5482,151 +4630,16 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>there must be one row of measures for each contour, got {}, {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis Eq. 2.1, section 4.2.2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis Eq. 2.2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis Eq. 2.2, of a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis Eq. 5.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis Eq. 6.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis Eq. 6.2 and Eq. 6.6</source>
-        <translation type="unfinished"></translation>
+        <translation>serve una riga di misure per ogni contorno, qui {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis chapter 9</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.3.3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.4.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.4.5, tables 4.2 and 4.5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 2.4.7</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis section 4.3.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.2.3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.2.3.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.2.3.3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis section 5.4.2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.2.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.2.1, after Eq. 6.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.3.1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>thesis section 6.4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis sections 3.3.5 and 4.2.4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>thesis tables 4.2 and 4.5</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>thesis tables 5.11, 5.12 and 5.13</source>
-        <translation type="unfinished"></translation>
+        <translation>tesi cap. 9 (interconnessione delle trabecole); grafo delle fette</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>thickness</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>time by hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>time for a rod</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>time over the number of rods</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5637,7 +4650,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>total volume</source>
-        <translation type="unfinished"></translation>
+        <translation>volume totale</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
@@ -5650,40 +4663,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>trabeculae of a layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
-        <translation type="unfinished"></translation>
+        <translation>trabecole che si sovrappongono a più d'una della fetta successiva (divisioni) o della precedente (unioni), su quella distanza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>trabecular area</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>trabecular area, net of holes</source>
-        <translation type="unfinished"></translation>
+        <translation>area trabecolare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabecular number</source>
-        <translation type="unfinished"></translation>
+        <translation>numero trabecolare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabecular separation</source>
-        <translation type="unfinished"></translation>
+        <translation>separazione trabecolare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabecular thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>spessore trabecolare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
@@ -5698,7 +4700,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>triangles must have the shape (count, 3, 3), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli devono avere la forma (numero, 3, 3), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -5708,7 +4710,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>triangles must name vertices 0..{} of their object</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli devono nominare vertici 0..{} del loro oggetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -5726,21 +4728,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>triangles of the mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>true area of the curve: it is 1.46 s^2 in the mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>true area of the end sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation type="unfinished"></translation>
@@ -5748,7 +4735,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>twice the surfaces crossed per length by parallel lines in all directions, over BV/TV.vox: the second route</source>
-        <translation type="unfinished"></translation>
+        <translation>il doppio delle superfici attraversate per unità di lunghezza da linee parallele in tutte le direzioni, su BV/TV.vox: la seconda via</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -5758,42 +4745,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>um (guessed: the body would be {} mm large)</source>
-        <translation type="unfinished"></translation>
+        <translation>um (stimato: il corpo sarebbe di {} mm)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>union and compensation need the package manifold3d; install it with: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>union by parallel rays through the rods' own triangles: no Boolean</source>
-        <translation type="unfinished"></translation>
+        <translation>unione e compensazione richiedono il pacchetto manifold3d; si installa con: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>union of rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>union of the rods in the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>unione delle aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>uniting contours</source>
-        <translation type="unfinished"></translation>
+        <translation>unione dei contorni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>unknown name {} in {}; known are {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>up to 10 % low</source>
-        <translation type="unfinished"></translation>
+        <translation>nome sconosciuto {} in {}; sono noti {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -5803,7 +4775,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>value of b over value of a, less 1; 0 = equal</source>
-        <translation type="unfinished"></translation>
+        <translation>valore di b su valore di a, meno 1; 0 = uguali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5813,86 +4785,21 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>vertices of rods must have the shape (rods, vertices, 3), got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>voids that no opening reaches</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume along</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume by slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume by the triangles, BV/TV</source>
-        <translation type="unfinished"></translation>
+        <translation>i vertici delle aste devono avere la forma (aste, vertici, 3), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume by the triangles; what overlaps counts twice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of layers outside of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the STEP scaffold</source>
-        <translation type="unfinished"></translation>
+        <translation>volume dai triangoli; ciò che si sovrappone conta due volte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>volume of the mesh and of the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>volume del parallelepipedo del corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>volume of the mesh by the divergence theorem</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the mesh of the same rods</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume of the mesh over the body's length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the rods, solids against meshes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5901,39 +4808,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the scaffold, solid against mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>volume of the solid by the kernel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>volume of the triangles by the divergence theorem</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>volume of the voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>volumes by rays</source>
-        <translation type="unfinished"></translation>
+        <translation>volumi per raggi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -5948,27 +4830,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>voxels asked for in a layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>voxels asked for, counted by a routine of its own (core/voxels/verification.py)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
-        <source>voxels made in a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>voxels must be a bool array [z, y, x], got {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i voxel devono essere una matrice bool [z, y, x], qui {} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -5988,7 +4855,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>watertight {}: faulty edges</source>
-        <translation type="unfinished"></translation>
+        <translation>{} a tenuta: spigoli difettosi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
@@ -6019,12 +4886,7 @@
         <location filename="../../freecad_trabecula/core/guides.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>what meets what</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
-        <source>which is up to 10 % low</source>
-        <translation type="unfinished"></translation>
+        <translation>che cosa incontra che cosa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
@@ -6035,7 +4897,7 @@
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>reticolo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -6052,17 +4914,17 @@
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>writing layers</source>
-        <translation type="unfinished"></translation>
+        <translation>scrittura degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>writing the tables of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>scrittura delle tabelle di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
         <source>writing the workbook's sheet {}</source>
-        <translation type="unfinished"></translation>
+        <translation>scrittura del foglio {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -6072,7 +4934,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>{} (the file's)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (del file)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
@@ -6080,29 +4942,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{} = make.body_objects({})[{}]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} against {}, {} apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} against {}, {} of it apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>{} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>{} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -6110,14 +4957,9 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} apart (at most {})</source>
-        <translation type="unfinished"></translation>
+        <translation>distanti {} (al più {})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
@@ -6132,7 +4974,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} below {} mm3 left out</source>
-        <translation type="unfinished"></translation>
+        <translation>{} sotto {} mm3 esclusi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -6183,7 +5025,7 @@
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} could not be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto leggere: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
@@ -6204,12 +5046,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
-        <translation type="unfinished"></translation>
+        <translation>metodo {}, {} aste, {} triangoli, celle di {} mm: circa {} s e {} GB</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, {} pairs that come near: about {} s and {} GB</source>
-        <translation type="unfinished"></translation>
+        <translation>metodo {}, {} aste, {} triangoli, {} coppie che si avvicinano: circa {} s e {} GB</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -6229,27 +5071,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <source>{} is incomplete: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} è incompleto: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} is no folder of an analysis: {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non è la cartella di un'analisi: {} {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{} is no proper {} file: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non è un vero file {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} is not a whole analysis: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non è un'analisi completa: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>{} is not allowed in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non è ammesso in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -6264,32 +5106,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} mm3 together</source>
-        <translation type="unfinished"></translation>
+        <translation>{} mm3 insieme</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must be JSON: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere JSON: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{} must be UTF-8 text: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere testo UTF-8: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>{} must be a closed mesh of finite co-ordinates, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere una mesh chiusa di coordinate finite, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} must be a closed mesh, each edge in two triangles that run along it opposite ways; it has {} triangles, {} open edges, {} edges of more than two triangles, {} edges run unevenly, {} triangles with a vertex named twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere una mesh chiusa, ogni spigolo in due triangoli che lo percorrono in versi opposti; ha {} triangoli, {} spigoli aperti, {} spigoli di più di due triangoli, {} spigoli percorsi male, {} triangoli con un vertice doppio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>{} must be a finite number, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere un numero finito, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -6299,18 +5141,18 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <source>{} must be a list of numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere una lista di numeri, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <source>{} must be a list of numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere una lista di numeri: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be a list, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere una lista, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
@@ -6331,18 +5173,18 @@
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be an object with keys, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere un oggetto con chiavi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>{} must be at least 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere almeno 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be at least {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere almeno {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -6363,7 +5205,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>{} must be finite, or nan for the body's own, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere finito, o nan per quello del corpo, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -6405,12 +5247,12 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must be the report of a {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere la relazione di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -6441,7 +5283,7 @@
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -6496,7 +5338,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>{} must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -6512,7 +5354,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must have the schema {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere lo schema {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -6522,7 +5364,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>{} must have triangles counter-clockwise seen from outside, got a volume of {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere triangoli antiorari visti da fuori, qui un volume di {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
@@ -6542,12 +5384,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
         <source>{} must hold at least one layer, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere almeno uno strato, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{} must hold at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -6567,7 +5409,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{} must hold {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -6584,7 +5426,7 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must lie in {}..{}, got {}</source>
-        <translation>{} deve stare in {}..{}, invece è {}</translation>
+        <translation>{} deve stare in {}..{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
@@ -6594,12 +5436,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>{} must name a field of the job; known here are {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve nominare un campo del lavoro; qui noti {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>{} must number one of {} entries, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve indicare una di {} voci, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -6609,17 +5451,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>{} needs brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>{} richiede parentesi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} of a mesh must have the shape (count, 3), got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
-        <source>{} of it apart</source>
-        <translation type="unfinished"></translation>
+        <translation>{} di una mesh devono avere la forma (numero, 3), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -6629,12 +5466,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} of the envelope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} dell'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -6649,7 +5481,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} pairs that come near</source>
-        <translation type="unfinished"></translation>
+        <translation>{} coppie che si avvicinano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -6687,24 +5519,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
-        <source>{} standard errors, loose pieces and voids left aside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} that no opening reaches, {} mm3 together: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} senza apertura, {} mm3 insieme: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>da {} a {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
         <source>{} vertices still share their point in single precision after {} nudges</source>
-        <translation type="unfinished"></translation>
+        <translation>{} vertici condividono ancora il loro punto in precisione singola dopo {} spostamenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -6754,22 +5581,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{}, cut off all round, {} mm3 together, the largest {} mm3: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, isolati, {} mm3 insieme, il maggiore {} mm3: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>{}, got {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, qui {} {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}, line 1: the columns must be {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, riga 1: le colonne devono essere {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -6784,21 +5611,11 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}, line {}: it must hold {} numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, riga {}: deve contenere {} numeri, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: the axis must be x, y or z, got {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{}.Deflection = {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/scripts.py"/>
-        <source>{}.Label = {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6809,12 +5626,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{}: a mesh file must end in .stl, .obj, .ply or .3mf, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un file di mesh deve finire in .stl, .obj, .ply o .3mf, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>{}: a polyline must end with C or O; that of line {}{} is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: una polilinea deve finire con C o O; quella della riga {}{} è troncata</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -6839,7 +5656,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
         <source>{}: an SSL file must begin with 'Slice V0' and 'SLICES()'; this one holds neither</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un file SSL deve cominciare con 'Slice V0' e 'SLICES()'; questo non ha né l'uno né l'altro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
@@ -6849,17 +5666,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: axes.{} does not fit its profile of {} slices: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: axes.{} non si accorda col suo profilo di {} fette: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{}: co-ordinates must be finite</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le coordinate devono essere finite</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>{}: co-ordinates must be finite and at most {} mm, got {}..{} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le coordinate devono essere finite e al più {} mm, qui {}..{} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
@@ -6909,22 +5726,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: layers must be those of the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: gli strati devono essere quelli del profilo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: mesh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: morphometry</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: morfometria</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: parametri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -6944,7 +5761,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}: the column {} must hold whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: la colonna {} deve contenere numeri interi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
@@ -6984,7 +5801,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
         <source>{}: the layers must be counted 0, 1, 2, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: gli strati devono essere contati 0, 1, 2, ...</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -7004,33 +5821,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>{}: triangles must name vertices 0..{}, got {}..{}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: i triangoli devono nominare vertici 0..{}, qui {}..{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
         <source>{}: {} against {}, {} apart (at most {})</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} contro {}, distanti {} (al più {})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} is resampled by area from layers of {} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} è ricampionato per area da strati di {} mm.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} layers of {} mm, {} to {} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} strati di {} mm, da {} a {} mm.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} reaches {} mm below and {} mm above.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} arriva {} mm più in basso e {} mm più in alto.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>{}: {} to {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: da {} a {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
@@ -7040,12 +5856,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine needs manifold3d: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; il metodo esatto a mesh richiede manifold3d: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine would take about {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; il metodo esatto a mesh richiederebbe circa {} s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
