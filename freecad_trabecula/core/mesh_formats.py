@@ -12,14 +12,14 @@ import re
 import zipfile
 import zlib
 from pathlib import Path
-from typing import Iterator, Sequence, Union
+from typing import Callable, Dict, Iterator, NamedTuple, Sequence, Union
 from xml.sax.saxutils import escape
 
 import numpy as np
 
 from ..errors import MeshError, ParameterError
-from .meshes import Mesh
-from .stl import stl_bytes, whole_file
+from .meshes import Mesh, printable
+from .stl import stl_bytes, whole_file, write_stl
 
 _BLOCK = 100_000  # lines of text formatted at once
 _LEVEL = 4  # of 3MF's compression: higher ones take twice as long for 3 % less
@@ -146,26 +146,52 @@ def _entry(name: str) -> zipfile.ZipInfo:
     return entry
 
 
+def _obj_size(mesh: Mesh) -> int:
+    return _text_size(_VERTEX_OBJ, mesh.vertices) + _text_size(_TRIANGLE_OBJ, mesh.triangles + 1)
+
+
+def _3mf_size(mesh: Mesh) -> int:
+    size = _text_size(_VERTEX_3MF, mesh.vertices, packed=True) + _text_size(_TRIANGLE_3MF, mesh.triangles, packed=True)
+    return size + len(_CONTENT_TYPES) + len(_RELATIONS)
+
+
+class MeshFormat(NamedTuple):
+    """How a mesh is written in a format.
+
+    Attributes
+    ----------
+    write : callable
+        ``(path, mesh)``.
+    size : callable
+        ``(mesh) -> bytes``, about, without writing it.
+    """
+
+    write: Callable[[Union[str, Path], Mesh], None]
+    size: Callable[[Mesh], int]
+
+
+#: By the files' ending. A new format is a line here; the shell takes it when ``shell/arguments.py`` names it too.
+FORMATS: Dict[str, MeshFormat] = {
+    "stl": MeshFormat(lambda path, mesh: write_stl(path, printable(mesh)), lambda mesh: stl_bytes(len(mesh.triangles))),
+    "ply": MeshFormat(
+        write_ply, lambda mesh: len(_ply_header(mesh)) + 24 * len(mesh.vertices) + 13 * len(mesh.triangles)
+    ),
+    "obj": MeshFormat(lambda path, mesh: write_obj(path, printable(mesh)), _obj_size),
+    "3mf": MeshFormat(lambda path, mesh: write_3mf(path, printable(mesh)), _3mf_size),
+}
+
+
 def estimated_size(kind: str, mesh: Mesh) -> int:
-    """Return about how many bytes a mesh takes as ``stl``, ``ply`` (exactly), ``obj`` or ``3mf`` (by a sample).
+    """Return about how many bytes a mesh takes in one of ``FORMATS``: STL and PLY exactly, texts by a sample.
 
     Raises
     ------
     ParameterError
         If ``kind`` is something else.
     """
-    if kind == "stl":
-        return stl_bytes(len(mesh.triangles))
-    if kind == "ply":
-        return len(_ply_header(mesh)) + 24 * len(mesh.vertices) + 13 * len(mesh.triangles)
-    if kind == "obj":
-        return _text_size(_VERTEX_OBJ, mesh.vertices) + _text_size(_TRIANGLE_OBJ, mesh.triangles + 1)
-    if kind == "3mf":
-        size = _text_size(_VERTEX_3MF, mesh.vertices, packed=True) + _text_size(
-            _TRIANGLE_3MF, mesh.triangles, packed=True
-        )
-        return size + len(_CONTENT_TYPES) + len(_RELATIONS)
-    raise ParameterError(f"a mesh format must be one of stl, ply, obj, 3mf, got {kind!r}")
+    if kind not in FORMATS:
+        raise ParameterError(f"a mesh format must be one of {', '.join(FORMATS)}, got {kind!r}")
+    return FORMATS[kind].size(mesh)
 
 
 def _text_size(form: str, rows: np.ndarray, packed: bool = False) -> int:

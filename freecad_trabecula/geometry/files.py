@@ -18,18 +18,12 @@ from typing import Callable, Dict, Iterator, Sequence, Union
 import FreeCAD
 import Part
 
-from ..core import mesh_formats, stl
-from ..core.meshes import Mesh, printable
+from ..core import mesh_formats
+from ..core.meshes import Mesh
 from ..errors import ExportError, ParameterError
 
 PathLike = Union[str, Path]
 
-_MESH_WRITERS: Dict[str, Callable[[PathLike, Mesh], None]] = {
-    ".stl": lambda path, mesh: stl.write_stl(path, printable(mesh)),
-    ".ply": mesh_formats.write_ply,
-    ".obj": lambda path, mesh: mesh_formats.write_obj(path, printable(mesh)),
-    ".3mf": lambda path, mesh: mesh_formats.write_3mf(path, printable(mesh)),
-}
 _SHAPE_WRITERS: Dict[str, str] = {
     ".step": "exportStep",
     ".stp": "exportStep",
@@ -45,7 +39,7 @@ _ENDS = {
     "exportBrep": re.compile(rb"\*\s+[+-]\d+ \d+\s*$"),
     "exportIges": re.compile(rb"T[0 ]*1\s*$"),
 }
-MESH_FORMATS = tuple(kind[1:] for kind in _MESH_WRITERS)
+MESH_FORMATS = tuple(mesh_formats.FORMATS)
 SHAPE_FORMATS = tuple(kind[1:] for kind in _SHAPE_WRITERS)
 _SAMPLE = 6  # solids written to estimate the size of all
 
@@ -62,7 +56,7 @@ def write_mesh(path: PathLike, mesh: Mesh) -> None:
     ExportError
         If the file cannot be written; what stood under that name before stays.
     """
-    _writer(path, _MESH_WRITERS)(path, mesh)
+    _writer(path, {f".{kind}": one.write for kind, one in mesh_formats.FORMATS.items()})(path, mesh)
 
 
 def write_shape(path: PathLike, shape: Part.Shape) -> None:

@@ -22,6 +22,7 @@ from ..core.report_text import report_markdown, report_summary
 from ..core.stl import whole_file
 from ..core.wireframe import Wireframe
 from ..errors import ExportError, ParameterError
+from ..geometry.files import MESH_FORMATS, SHAPE_FORMATS
 from .folder import ResultFolder
 from .job_options import job_of_options
 from .products import products, stl_checks, write_products
@@ -234,9 +235,7 @@ def versions() -> Dict[str, str]:
 def _warn_of_old_files(folder: ResultFolder, record: Mapping[str, Any], report: Report) -> None:
     """Point out result files of an earlier run: they do not belong to this report."""
     ours = {
-        f"{stem}.{kind}"
-        for stem in ("scaffold", "channels", "network")
-        for kind in ("stl", "obj", "ply", "3mf", "step", "brep")
+        f"{stem}.{kind}" for stem in ("scaffold", "channels", "network") for kind in (*MESH_FORMATS, *SHAPE_FORMATS)
     }
     old = sorted(name for name in ours - set(record["files"]) if (folder.target / name).exists())
     if old:
