@@ -114,8 +114,8 @@ def design_as_script(obj: Any) -> str:
     >>> from freecad_trabecula import make
     >>> from freecad_trabecula.core.presets import preset
     >>> design = make.make_design(FreeCAD.newDocument(), preset("case1"))
-    >>> print(make.design_as_script(design.wireframe).splitlines()[6])
-    envelope = make.make_box(document)
+    >>> [line for line in make.design_as_script(design.wireframe).splitlines() if "make_box" in line]
+    ['envelope = make.make_box(document)']
     """
     chosen = _chosen(obj)
     if not chosen:

@@ -73,8 +73,11 @@ class EditsTest(DocumentCase):
             (lambda: make.set_pore(self.wireframe, "Face1.2.2", turns=(0.5, 0.5)), "takes 4 tangent components, got 2"),
             (lambda: make.set_pore(self.wireframe, "Face1.2.2", turns=(2, 0, 0, 0)), "must lie in 0..1, got 2"),
             (lambda: make.move_site(self.wireframe, "Face1.2.2", (5, 5, 5)), "distance of 5 mm"),
-            (lambda: make.add_site(self.wireframe, "lid", (0, 0, 0)), "got 'lid.hand.1'"),
-            (lambda: make.switch_off_site(self.wireframe, "Face1.9.9"), "got 'Face1.9.9'"),
+            (
+                lambda: make.add_site(self.wireframe, "lid", (0, 0, 0)),
+                r"lid.hand.1 \(add\): it must name a site of one",
+            ),
+            (lambda: make.switch_off_site(self.wireframe, "Face1.9.9"), r"Face1.9.9 \(off\): it must name a site of"),
             (lambda: make.switch_off_site(self.wireframe, "Face1"), "must read face.i.j, got 'Face1'"),
         ):
             with self.assertRaisesRegex(ParameterError, pattern):
