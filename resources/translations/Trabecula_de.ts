@@ -1593,37 +1593,37 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> (closed: make a solid of it first)</source>
-        <translation type="unfinished"></translation>
+        <translation> (geschlossen: zuerst einen Volumenkörper daraus machen)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source> ... ({} layers)</source>
-        <translation type="unfinished"></translation>
+        <translation> ... ({} Schichten)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source> above {}</source>
-        <translation type="unfinished"></translation>
+        <translation> über {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source> and with {}</source>
-        <translation type="unfinished"></translation>
+        <translation> und mit {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> or {}</source>
-        <translation type="unfinished"></translation>
+        <translation> oder {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source> within the mask</source>
-        <translation type="unfinished"></translation>
+        <translation> in der Maske</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>, {} of them spoilt</source>
-        <translation type="unfinished"></translation>
+        <translation>, {} davon fehlerhaft</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1634,6 +1634,16 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>1 less what the body adds to the Euler number of the structure it was cut out of: the box's faces count half, its edges a quarter, its corners an eighth</source>
         <translation>1 minus das, was der Körper zur Euler-Zahl der Struktur beiträgt, aus der er geschnitten wurde: Quaderflächen zählen halb, Kanten ein Viertel, Ecken ein Achtel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>2-point curve along the inner normals</source>
+        <translation>2-Punkt-Kurve entlang der inneren Normalen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>3-point curve through a convergence point</source>
+        <translation>3-Punkt-Kurve durch einen Konvergenzpunkt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -1648,7 +1658,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>Analysis {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1694,7 +1704,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>File from which the envelope was made</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei, aus der der Hüllkörper stammt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -1709,7 +1719,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Layers of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1719,17 +1729,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>On: computed with every recompute; off: shown as out of date until it is updated</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein: bei jeder Neuberechnung berechnet; aus: als veraltet gezeigt, bis es aktualisiert wird</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>On: the value counts. {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein: der Wert gilt. {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
         <source>One connected part of sheets and rods, like the sample's; no floating voxel, no closed cavity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein zusammenhängender Teil aus Lamellen und Stäben, wie die der Probe; kein schwebendes Voxel, kein geschlossener Hohlraum</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -1744,7 +1754,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/makers.py"/>
         <source>Sites {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1754,17 +1764,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>Solid in that file</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumenkörper in dieser Datei</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>Solid{}{} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>Solid{}{} ({})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
         <source>Specimen {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Probekörper {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1789,17 +1799,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels of drawn curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel aus gezeichneten Kurven</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>What was mended in the file's solid, and what looks wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Was am Volumenkörper der Datei repariert wurde, und was falsch aussieht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -1825,47 +1835,47 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>a cap of {} on {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Grenze von {} für {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>a change by hand does not</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Änderung von Hand tut es nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>a change by hand does not fit the design: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Änderung von Hand passt nicht zum Entwurf: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/sites.py"/>
         <source>a change by hand must name a site of face {} ({} sites), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Änderung von Hand muss eine Stelle der Fläche {} nennen ({} Stellen), hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>a closed mesh must hold some volume, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>ein geschlossenes Netz muss ein Volumen haben, hier {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line could not be followed for {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>einer Koordinatenlinie konnte nicht über {} mm gefolgt werden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line has no end after {} steps and {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinatenlinie endet nach {} Schritten und {} mm nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line left the face unnoticed after {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinatenlinie hat die Fläche nach {} mm unbemerkt verlassen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line's plane touches the face</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ebene einer Koordinatenlinie berührt die Fläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1875,7 +1885,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a convergence point's co-ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate eines Konvergenzpunkts</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
@@ -1895,62 +1905,62 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a coupling needs two faces, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kopplung braucht zwei Flächen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve along {} must ask for some material, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kurve entlang {} muss Material verlangen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve along {} must have at least one point, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kurve entlang {} muss mindestens einen Punkt haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve must have at least one point, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kurve muss mindestens einen Punkt haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve's places along {} must lie in 0..1 of the edge, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Orte einer Kurve entlang {} müssen in 0..1 der Kante liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve's points must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte einer Kurve müssen endlich sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve's points must differ along the axis, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte einer Kurve müssen sich entlang der Achse unterscheiden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
         <source>a design for these targets must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss für diese Zielwerte die Form {} haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a design must be an array with three axes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss ein Feld mit drei Achsen sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>a design must have at least one solid voxel to have a surface, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss für eine Oberfläche mindestens ein volles Voxel haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/blocks.py"/>
         <source>a design must have at least one voxel to have a mesh, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss für ein Netz mindestens ein Voxel haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>a design must have at least one voxel; the densities in this mask make, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss mindestens ein Voxel haben; die Dichten ergeben in dieser Maske, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -1960,17 +1970,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>a design must have at most {} voxels; {} would take about {} GB of memory; larger voxels make fewer, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf darf höchstens {} Voxel haben; {} bräuchten etwa {} GB Speicher; größere Voxel sind weniger, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss volle Voxel haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a direction must not be along the face's normal at the origin of its line, got ({}, {}, {})</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Richtung darf am Ursprung ihrer Linie nicht entlang der Flächennormalen liegen, hier ({}, {}, {})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -1990,22 +2000,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a face must be named, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche muss genannt sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a face must be one of Face1..Face{} or {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche muss eine von Face1..Face{} oder {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a face must be one of Face1..Face{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche muss eine von Face1..Face{} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>a face must have at most {} sites, but spacings of {} and {} mm give about {} on {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche darf höchstens {} Stellen haben, aber Abstände von {} und {} mm ergeben etwa {} auf {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -2015,7 +2025,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>a face of {} must be one of Face1..Face{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche von {} muss eine von Face1..Face{} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -2025,7 +2035,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a fault without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Fehler ohne Namen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
@@ -2045,7 +2055,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>a job must have the sites of 1 prism, or those of faces, got {} prisms and {} faces in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Auftrag muss die Stellen von 1 Prisma haben oder die von Flächen, hier {} Prismen und {} Flächen in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2080,22 +2090,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a layer along {} holds {} voxels, but layer {} is asked for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht entlang {} fasst {} Voxel, aber von Schicht {} sind {} verlangt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a layer along {} holds {} voxels, but the area {} mm² of layer {} asks for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht entlang {} fasst {} Voxel, aber die Fläche {} mm² von Schicht {} verlangt {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_outlines.py"/>
         <source>a layer must be an array of two axes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht muss ein Feld mit zwei Achsen sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>a layer must be one of 0..{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schicht muss eine von 0..{} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -2110,32 +2120,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a layer's thickness must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dicke einer Schicht muss größer als 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>a mask for these targets must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Maske muss für diese Zielwerte die Form {} haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>a mask must be in one part, got parts of {} and {} cells</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Maske muss aus einem Teil bestehen, hier Teile von {} und {} Zellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>a mask must have at least one cell, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Maske muss mindestens eine Zelle haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a mask must have at least one cell; {} has in the targets' box, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Maske muss mindestens eine Zelle haben; {} hat im Quader der Zielwerte, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>a mask must have at least one voxel, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Maske muss mindestens ein Voxel haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -2145,17 +2155,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a mesh must be closed to be filled with voxels: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss geschlossen sein, um mit Voxeln gefüllt zu werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must be closed to become a solid, got {} holes with {} open edges</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss geschlossen sein, um Volumenkörper zu werden, hier {} Löcher mit {} offenen Kanten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>a mesh must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss mindestens ein Dreieck haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2165,17 +2175,17 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must have at most {} triangles to become a solid, got {}: reduce it (Mesh &gt; Decimation) or give a STEP file</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz darf höchstens {} Dreiecke haben, um Volumenkörper zu werden, hier {}: verringern (Mesh &gt; Dezimieren) oder eine STEP-Datei nehmen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must have triangles, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss Dreiecke haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must have two triangles at each edge, turned alike, to become a solid; got {} edges of more than two and {} edges of triangles turned unevenly</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz muss an jeder Kante zwei gleich gewendete Dreiecke haben, um Volumenkörper zu werden; hier {} Kanten von mehr als zwei und {} Kanten ungleich gewendeter Dreiecke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -2185,7 +2195,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
@@ -2195,22 +2205,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/patchwork.py"/>
         <source>a patchwork needs a closed mesh each of whose edges has two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Flickwerk braucht ein geschlossenes Netz, dessen Kanten je zwei Dreiecke haben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a path's tension must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spannung eines Pfads muss größer als 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>a pitch must be three lengths above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abstand muss aus drei Längen über 0 bestehen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/presets.py"/>
         <source>a preset must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Vorlage muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2225,22 +2235,22 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
         <source>a rod must be a valid solid of positive volume, got {} mm3 for rod {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Stab muss ein gültiger Volumenkörper mit positivem Volumen sein, hier {} mm3 für Stab {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>a rod must be a valid solid, got one that is not for rod {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Stab muss ein gültiger Volumenkörper sein, Stab {} ist es nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>a rod's solid must have its mesh's volume within {}, got {} and {} mm3 for rod {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Volumenkörper eines Stabs muss das Volumen seines Netzes auf {} haben, hier {} und {} mm3 für Stab {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>a row of {} does not fit into its ranks</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zeile von {} passt nicht in ihre Ränge</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2250,67 +2260,67 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
         <source>a sample must have a surface to fit a texture to, got one that is empty or full</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss für eine Textur eine Oberfläche haben, hier ist sie leer oder voll</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a sample must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss mindestens ein Dreieck haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have material and voids: of {} cells are solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Material und Hohlräume haben: von {} Zellen sind voll, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels above {} are solid</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Material und Hohlräume haben: von {} Voxeln über {} sind voll</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels above {} are solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Material und Hohlräume haben: von {} Voxeln über {} sind voll, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels are solid</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Material und Hohlräume haben: von {} Voxeln sind voll</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels are solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Material und Hohlräume haben: von {} Voxeln sind voll, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have material: its sliced areas make, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Material haben: ihre Schnittflächen ergeben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have voids: of {} cells its sliced areas fill, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Probe muss Hohlräume haben: von {} Zellen füllen ihre Schnittflächen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a sample's mesh must be closed; its open area is, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz einer Probe muss geschlossen sein; seine offene Fläche ist, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a sample's mesh must not be inside out; its volume is, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz einer Probe darf nicht umgestülpt sein; sein Volumen ist, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a scan must have more than one grey value to be parted by Otsu's threshold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Scan muss für Otsus Schwelle mehr als einen Grauwert haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>a script must have a design, an analysis or voxels to make, got none in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Skript muss einen Entwurf, eine Analyse oder Voxel erzeugen, hier nichts in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2320,12 +2330,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>a shape must have faces to be written into {}, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Form muss Flächen haben, um in {} geschrieben zu werden, hier keine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>a shape that is cut must have at least one solid, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>eine geschnittene Form muss mindestens einen Volumenkörper haben, hier keinen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
@@ -2335,72 +2345,72 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>a site placed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>eine von Hand gesetzte Stelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a site's co-ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate einer Stelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a site's name must read face.i.j, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name einer Stelle muss face.i.j lauten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a sliced area along {} must not be larger than its layer, got {} of it at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schnittfläche entlang {} darf nicht größer als ihre Schicht sein, hier {} davon bei {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a sliced area along {} must not be negative, got {} of it at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schnittfläche entlang {} darf nicht negativ sein, hier {} davon bei {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a solid from a mesh must have its volume of {} mm3, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Volumenkörper aus einem Netz muss dessen Volumen von {} mm3 haben, hier {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>a solid must have a volume greater than 0, got {} mm3: it is empty or inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Volumenkörper muss ein Volumen größer als 0 haben, hier {} mm3: er ist leer oder umgestülpt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a solid must not cross itself; {} pairs of its triangles do, the longest crossing is {} mm at ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Volumenkörper darf sich nicht durchdringen; {} Paare seiner Dreiecke tun es, die längste Durchdringung ist {} mm bei ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>a solid of patches has no closed voids, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Volumenkörper aus Flicken hat keine geschlossenen Hohlräume, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>a solid scaffold must have all its channels: the B-Rep engine came to {} of {} rods, then {}; the mesh scaffold stands</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gerüst als Volumenkörper muss alle Kanäle haben: das B-Rep-Verfahren kam bis {} von {} Stäben, dann {}; das Netzgerüst bleibt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>a solid's faces must be bounded by seams that do not cross, got {} of {} seams of surfaces that nearly touch</source>
-        <translation type="unfinished"></translation>
+        <translation>die Flächen eines Volumenkörpers müssen von Nähten begrenzt sein, die sich nicht kreuzen, hier {} von {} Nähten fast berührender Flächen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a surface must be told by {} points at most, got {} x {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Oberfläche darf durch höchstens {} Punkte beschrieben sein, hier {} x {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/patchwork.py"/>
         <source>a surface of a patchwork must meet others, got one that is closed in itself</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Fläche eines Flickwerks muss andere treffen, hier ist eine in sich geschlossen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a tangent component of the pore at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Tangentenkomponente der Pore bei {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2410,7 +2420,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Text</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
@@ -2420,47 +2430,47 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face must have no kink inside</source>
-        <translation type="unfinished"></translation>
+        <translation>eine beschnittene Fläche darf innen keinen Knick haben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face with a seam or a pole must be bent both ways</source>
-        <translation type="unfinished"></translation>
+        <translation>eine beschnittene Fläche mit Naht oder Pol muss in beide Richtungen gebogen sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face with a seam or a pole must not turn away from its middle plane</source>
-        <translation type="unfinished"></translation>
+        <translation>eine beschnittene Fläche mit Naht oder Pol darf sich nicht von ihrer Mittelebene abwenden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must have three edges above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Voxel muss drei Kanten über 0 haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must not be larger than the sample, {} mm along {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Voxel darf nicht größer als die Probe sein, {} mm entlang {}, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>a voxel's edges must be at least {} mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kanten eines Voxels müssen mindestens {} mm sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>a wavelength must be 0 (fitted) or more, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Wellenlänge muss 0 (angepasst) oder mehr sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>a {} without one</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ohne einen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2470,7 +2480,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>all images of a stack must have one size, {} pixels, but {} has {}</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Bilder eines Stapels müssen eine Größe haben, {} Pixel, aber {} hat {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -2480,22 +2490,27 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>all layers must have the voxels asked for, but {} have not: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Schichten müssen die verlangten Voxel haben, aber {} haben sie nicht: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>along the normal</source>
+        <translation>entlang der Normalen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>alpha and beta must have the same counts in the layers along Z, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha und beta müssen dieselben Anzahlen in den Schichten entlang Z haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>alpha and beta must have the same sum, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha und beta müssen dieselbe Summe haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>an analysis along X, Y and Z is needed; {} has, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Analyse entlang X, Y und Z wird gebraucht; {} hat, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -2505,12 +2520,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>an edge of a curved face must have its parameters on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kante einer gekrümmten Fläche muss ihre Parameter auf der Fläche haben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>an edge of the box of middle points</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kante des Quaders der Mittelpunkte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2520,52 +2535,52 @@
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>an envelope must be a box or come from a file to be kept in a job, got {}; export it as STEP and name that file</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss ein Quader sein oder aus einer Datei stammen, um in einem Auftrag zu stehen, hier {}; als STEP exportieren und diese Datei nennen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be a closed solid, got an open one of {} faces</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss ein geschlossener Volumenkörper sein, hier ein offener mit {} Flächen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be a valid solid; the kernel finds: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss ein gültiger Volumenkörper sein; der Kern findet: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be one closed solid, got a {} of {} faces and no solid</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss ein geschlossener Volumenkörper sein, hier {} mit {} Flächen und kein Volumenkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be one closed solid, got a {} of {} faces and no solid (closed: make a solid of it first)</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss ein geschlossener Volumenkörper sein, hier {} mit {} Flächen und kein Volumenkörper (geschlossen: zuerst einen Volumenkörper daraus machen)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must have a shape, got an empty one</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss eine Form haben, hier eine leere</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>an envelope must have a shape, got nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss eine Form haben, hier nichts</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>an envelope must have a shape, got {} without one</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss eine Form haben, hier {} ohne eine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must have a volume greater than 0 mm3, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Hüllkörper muss ein Volumen größer als 0 mm3 haben, hier {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>an equation must have n &gt;= 0 and k &gt;= 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Gleichung muss n &gt;= 0 und k &gt;= 1 haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -2575,7 +2590,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
         <source>an example must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Beispiel muss eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -2605,22 +2620,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>areas must be given along X, Y and Z, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen müssen entlang X, Y und Z gegeben sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>areas must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen müssen eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gezogen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen einer Textur müssen drei Einheitsvektoren im rechten Winkel sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -2630,7 +2645,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
         <source>best layers</source>
-        <translation type="unfinished"></translation>
+        <translation>beste Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
@@ -2660,7 +2675,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>bounds and sum must not be negative, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen und Summe dürfen nicht negativ sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
@@ -2695,7 +2710,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>cell ({}, {}) is {}, beyond its bound {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Zelle ({}, {}) ist {}, über ihrer Grenze {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -2720,7 +2735,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>choice of the convergence point</source>
-        <translation type="unfinished"></translation>
+        <translation>die Wahl des Konvergenzpunkts</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2750,7 +2765,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>co-ordinates of triangles must be finite, got nan or infinite mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Dreiecken müssen endlich sein, hier nan oder unendlich mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2760,7 +2775,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2775,12 +2790,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
         <source>counting layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten werden gezählt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_tables.py"/>
         <source>counting tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen werden gezählt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -2795,7 +2810,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>d1 and d2 must differ by at least 1 degree on the face, got {} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>d1 und d2 müssen sich auf der Fläche um mindestens 1 Grad unterscheiden, hier {} Grad</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2810,32 +2825,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>densities must be 0 to 1, got {} in layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichten müssen 0 bis 1 sein, hier {} in Schicht {} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>designs are counted in boxes, not in, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe werden in Quadern gezählt, nicht in, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>designs are searched for exhaustively up to {} cells, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe werden bis {} Zellen vollständig durchsucht, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>designs must have one shape and solid voxels, got shapes {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe müssen eine Form und volle Voxel haben, hier die Formen {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>designs with these counts (entropy)</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe mit diesen Anzahlen (Entropie)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>designs with this design's tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe mit den Tabellen dieses Entwurfs</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2865,7 +2880,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>drawing {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} wird gezeichnet</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/profiles.py"/>
@@ -2880,12 +2895,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
         <source>each point of a face must be used by its triangles; a border crosses itself</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Punkt einer Fläche muss von ihren Dreiecken benutzt werden; ein Rand kreuzt sich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>each variable must have two bounds, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Variable muss zwei Grenzen haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -2896,7 +2911,7 @@
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -2906,12 +2921,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: the computation broke off; the report view says where</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler: die Berechnung brach ab; die Ausgabeansicht sagt, wo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -2921,7 +2936,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>every cavity must lie in a body, but {} of {} lie in none: the mesh is inside out or crosses itself</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Hohlraum muss in einem Körper liegen, aber {} von {} liegen in keinem: das Netz ist umgestülpt oder kreuzt sich</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2931,52 +2946,52 @@
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>every face must be named once, got {} again in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Fläche darf nur einmal genannt sein, hier {} noch einmal in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
         <source>every layer must have its count in one part without closed cavities; after {} flips {} layers are off by {} voxels together, layer {} along {} by {}; another seed, fewer restrictions or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Schicht muss ihre Anzahl in einem Teil ohne geschlossene Hohlräume haben; nach {} Tauschschritten fehlen {} Schichten zusammen {} Voxel, Schicht {} entlang {} davon {}; ein anderer Startwert, weniger Einschränkungen oder kleinere Voxel können helfen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
         <source>every layer must have its count of voxels; {} layers differ: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Schicht muss ihre Voxelzahl haben; {} Schichten weichen ab: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
         <source>exact moves</source>
-        <translation type="unfinished"></translation>
+        <translation>genaue Tauschschritte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>exact slices</source>
-        <translation type="unfinished"></translation>
+        <translation>genaue Schnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>exact slices are those of a solid, got a file</source>
-        <translation type="unfinished"></translation>
+        <translation>genaue Schnitte sind die eines Volumenkörpers, hier eine Datei</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>exact slices are those of a solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>genaue Schnitte sind die eines Volumenkörpers, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>face sites</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen der Fläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>failed and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>misslungen und weggelassen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>failed, left out</source>
-        <translation type="unfinished"></translation>
+        <translation>misslungen, weggelassen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -3002,7 +3017,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>gegebene Tabellen brauchen eine Strategie, die Schichten aus ihnen füllt ({}), hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3032,22 +3047,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder müssen von der Art {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
-        <translation type="unfinished"></translation>
+        <translation>Inseln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>it must name a site of face {}, which has {} sites</source>
-        <translation type="unfinished"></translation>
+        <translation>sie muss eine Stelle der Fläche {} nennen, die {} Stellen hat</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>it must name a site of one of the faces {}</source>
-        <translation type="unfinished"></translation>
+        <translation>sie muss eine Stelle einer der Flächen {} nennen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -3057,7 +3072,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>its face, {} so far, is now Face{} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Fläche, bisher {}, ist jetzt Face{} von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3078,6 +3093,11 @@
         <location filename="../../freecad_trabecula/core/analysis/neighbours.py"/>
         <source>joining the triangles</source>
         <translation>Dreiecke werden verbunden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>joins the sites</source>
+        <translation>verbindet die Stellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3112,32 +3132,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schicht {} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>layer {} along {} is empty between others: no design is one piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Schicht {} entlang {} ist zwischen anderen leer: kein Entwurf hängt zusammen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
         <source>layer {} along {}: {} for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schicht {} entlang {}: {} statt {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>layer {} as solids must hold the {} mm3 of its voxels, the kernel gives {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Schicht {} muss als Volumenkörper die {} mm3 ihrer Voxel enthalten, der Kern gibt {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>layers as solids</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten als Volumenkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -3162,22 +3182,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten {} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>leave the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>verlassen den Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>leaves the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>verlässt den Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen werden ausgeglichen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3242,7 +3262,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/recovery.py"/>
         <source>mending: {}, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparatur: {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -3258,7 +3278,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>mix of sheets and rods must be 0 to 4, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Mischung von Lamellen und Stäben muss 0 bis 4 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -3278,12 +3298,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must be finite</source>
-        <translation type="unfinished"></translation>
+        <translation>müssen endlich sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must be whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>müssen ganze Zahlen sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -3293,13 +3313,13 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>must not be larger than its layer</source>
-        <translation type="unfinished"></translation>
+        <translation>darf nicht größer als ihre Schicht sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>dürfen nicht negativ sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3309,72 +3329,72 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>no design has these counts: no set of layers contradicts another by itself, but a search of all designs found none</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Entwurf hat diese Anzahlen: keine Schichtengruppe widerspricht für sich einer anderen, aber die Suche aller Entwürfe fand keinen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>no error</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Fehler</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
         <source>no field was tried</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Feld wurde versucht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
         <source>no layer has these {} voxels in columns and {} in rows</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Schicht hat diese {} Voxel in Spalten und {} in Zeilen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>no pair of tables was found within the mask in {} tries{}; strategy trabecular, which needs no tables, may find a design</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Maske wurde in {} Versuchen kein Tabellenpaar gefunden{}; die Strategie trabekulär, die keine Tabellen braucht, findet vielleicht einen Entwurf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>no part with {} voxels was found in the field</source>
-        <translation type="unfinished"></translation>
+        <translation>im Feld wurde kein Teil mit {} Voxeln gefunden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>no point of the face's surface lies near ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Punkt der Fläche liegt nahe ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Form</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>no solid of patches: {} mm3 against {} of the mesh; then </source>
-        <translation type="unfinished"></translation>
+        <translation>kein Volumenkörper aus Flicken: {} mm3 gegen {} des Netzes; dann </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>no solid of patches: {}; then </source>
-        <translation type="unfinished"></translation>
+        <translation>kein Volumenkörper aus Flicken: {}; dann </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>no table has these sums: columns {} ask for {}, and the rows can give them {}{}</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Tabelle hat diese Summen: Spalten {} verlangen {}, und die Zeilen können ihnen {}{} geben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
-        <translation type="unfinished"></translation>
+        <translation>keines von {} Tabellenpaaren war verträglich; die Paarung 'constraint' findet sie durch Konstruktion, und kleinere Grenzen machen sie wahrscheinlicher</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>none of {} points tried lies inside the face of {} mm2</source>
-        <translation type="unfinished"></translation>
+        <translation>keiner von {} versuchten Punkten liegt in der Fläche von {} mm2</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>nothing is left of the envelope: the rods fill it</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Hüllkörper bleibt nichts: die Stäbe füllen ihn</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3384,12 +3404,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekelzahlen entlang {} brauchen eine Probe oder Zielwerte, die sie enthalten; hier keines</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
         <source>offsets</source>
-        <translation type="unfinished"></translation>
+        <translation>Versätze</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
@@ -3399,17 +3419,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>one part</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Teil</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
         <source>one part needs voxels in every layer between its first and last; along {} layers {} and {} are asked for {} and {} voxels, and {} between them for none</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Teil braucht Voxel in jeder Schicht zwischen erster und letzter; entlang {} sind von Schicht {} und {} {} und {} Voxel verlangt, dazwischen von {} keines</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>one solid of {} must be chosen as the envelope: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Volumenkörper von {} muss als Hüllkörper gewählt werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -3429,7 +3449,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>out of date: update it</source>
-        <translation type="unfinished"></translation>
+        <translation>veraltet: aktualisieren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -3439,7 +3459,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Umrisse der Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3464,7 +3484,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>pairing 'repeat' fills boxes only; pairing 'constraint' works within a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>die Paarung 'repeat' füllt nur Quader; 'constraint' arbeitet in einer Maske</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3474,7 +3494,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>pasted: recompute the document</source>
-        <translation type="unfinished"></translation>
+        <translation>eingefügt: das Dokument neu berechnen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3494,17 +3514,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebenen müssen aufsteigen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>plots must be one of {}, none, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme müssen eines von {}, none sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>points along {} must lie apart by at least {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte entlang {} müssen mindestens {} auseinander liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3539,17 +3559,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>porosity {} % by the {} engine</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität {} %, Verfahren {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>porosity {} %, {} rods cut; solid and mesh differ by {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität {} %, {} Stäbe ausgeschnitten; Volumenkörper und Netz unterscheiden sich um {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3560,37 +3580,37 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
         <source>random tables; each layer drawn nearly uniformly from all that have these row and column sums</source>
-        <translation type="unfinished"></translation>
+        <translation>zufällige Tabellen; jede Schicht fast gleichverteilt aus allen mit diesen Zeilen- und Spaltensummen gezogen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/sequential.py"/>
         <source>random tables; in each layer line after line, into the lines that need most (thesis case 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>zufällige Tabellen; in jeder Schicht Linie nach Linie, in die Linien, die am meisten brauchen (Dissertation Fall 2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/minimum_zeros.py"/>
         <source>random tables; in each layer the shortest line first, into the lines that need most (thesis case 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>zufällige Tabellen; in jeder Schicht die kürzeste Linie zuerst, in die Linien, die am meisten brauchen (Dissertation Fall 1)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/best_tables.py"/>
         <source>random tables; of all layers that they allow the one that is highest on the chosen field (linear program)</source>
-        <translation type="unfinished"></translation>
+        <translation>zufällige Tabellen; von allen Schichten, die sie erlauben, die im gewählten Feld höchste (lineares Programm)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>rates of compatible tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteile verträglicher Tabellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>rays need closed meshes: each ray must leave as often as it enters; {} rays do not</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlen brauchen geschlossene Netze: jeder muss so oft austreten wie eintreten; {} tun es nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>rays per direction must be &gt;= 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlen je Richtung müssen &gt;= 1 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -3601,7 +3621,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>redraws must lie in 0..100, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuziehungen müssen in 0..100 liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3616,22 +3636,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>resolved (outside any block of 2 x 2 x 2 voxels): </source>
-        <translation type="unfinished"></translation>
+        <translation>aufgelöst (außerhalb jedes Blocks von 2 x 2 x 2 Voxeln): </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): </source>
-        <translation type="unfinished"></translation>
+        <translation>aufgelöst ({} % davon liegen außerhalb jedes Blocks von 2 x 2 x 2 Voxeln): </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>results must be numbers, texts, arrays or records of them, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse müssen Zahlen, Texte, Felder oder Datensätze davon sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>results must be of classes of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse müssen von Klassen aus {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -3641,12 +3661,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>rods are coloured by one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe werden nach einem von {} gefärbt, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>rods made, of those that were coupled</source>
-        <translation type="unfinished"></translation>
+        <translation>erzeugte Stäbe von den gekoppelten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
@@ -3661,7 +3681,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>row sums and column sums must agree, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen- und Spaltensummen müssen übereinstimmen, hier {} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3691,18 +3711,18 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>scatter of the corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung der Ecken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähte der Kanäle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sections per rod must be 1 or 2, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Querschnitte je Stab müssen 1 oder 2 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3727,12 +3747,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>site ({}, {}) came to lie outside its face, a line of which crossed the border unnoticed</source>
-        <translation type="unfinished"></translation>
+        <translation>Stelle ({}, {}) geriet außerhalb ihrer Fläche, deren Linie unbemerkt den Rand kreuzte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sites along {} must be at least 2 (Eq. 2.1 divides by n - 1), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen entlang {} müssen mindestens 2 sein (Gl. 2.1 teilt durch n - 1), hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
@@ -3740,7 +3760,7 @@
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>sites on {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen auf {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -3750,12 +3770,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>sliced areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittflächen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>sliced areas {}, got {} mm² in layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittflächen {}, hier {} mm² in Schicht {} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
@@ -3770,42 +3790,42 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>solid and mesh of a rod must agree within {} % of its volume, got {} and {} mm^3 for rod {} and {} such rods in all</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumenkörper und Netz eines Stabs müssen auf {} % seines Volumens übereinstimmen, hier {} und {} mm^3 für Stab {} und insgesamt {} solche Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid and mesh of the scaffold must agree within {}, got {} and {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumenkörper und Netz des Gerüsts müssen auf {} übereinstimmen, hier {} und {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>solid must be at least {} and void {} voxels thick; of {} solid ones {} and of the void {} stayed thinner; longer waves or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>Material muss mindestens {} und Hohlraum {} Voxel dick sein; von {} vollen blieben {} und vom Hohlraum {} dünner; längere Wellen oder kleinere Voxel können helfen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>solid of patches</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumenkörper aus Flicken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumenkörper: Stab {}{} von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>solids of rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumenkörper der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>spacing={} unit=mm</source>
-        <translation type="unfinished"></translation>
+        <translation>spacing={} unit=mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3820,39 +3840,39 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>surface of the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche der Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
         <source>table {} must have {} x {} cells for these targets, got {}: its tables were given for another sample or voxel size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle {} muss für diese Zielwerte {} x {} Zellen haben, hier {}: ihre Tabellen wurden für eine andere Probe oder Voxelgröße gegeben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>table {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>tables alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen alpha</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>tables beta</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen beta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>tables within a mask need scipy 1.6 or later: pip install scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen in einer Maske brauchen scipy 1.6 oder neuer: pip install scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3867,17 +3887,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>tangent pull</source>
-        <translation type="unfinished"></translation>
+        <translation>Zug der Tangente</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
         <source>targets of {} layers do not fit a field of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielwerte von {} Schichten passen nicht zu einem Feld von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the B-Rep engine makes no compact layers, got {} faces with a layer: use the mesh engine</source>
-        <translation type="unfinished"></translation>
+        <translation>das B-Rep-Verfahren macht keine kompakten Schichten, hier {} Flächen mit Schicht: das Netzverfahren nehmen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -3899,17 +3919,17 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>the axis must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Achse muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>the axis of rays must be 0, 1 or 2, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Achse der Strahlen muss 0, 1 oder 2 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
         <source>the best layer of given tables needs scipy 1.6 or later: pip install scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>die beste Schicht zu gegebenen Tabellen braucht scipy 1.6 oder neuer: pip install scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3919,27 +3939,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the border distance {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Randabstand {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
         <source>the border of a face must not cross itself, nor run through a point of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>der Rand einer Fläche darf sich nicht kreuzen und durch keinen eigenen Punkt laufen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>the box of drawn curves must have three edges, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Quader gezeichneter Kurven muss drei Kanten haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>the cap on {} must be at least {}, got {}: {} ask for {} voxels, and the layers along Z can give them {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Grenze für {} muss mindestens {} sein, hier {}: {} verlangen {} Voxel, und die Schichten entlang Z können ihnen {} geben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the cell must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zelle muss größer als 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
@@ -3954,12 +3974,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the change of a site</source>
-        <translation type="unfinished"></translation>
+        <translation>die Änderung einer Stelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kanäle müssen Material übrig lassen, hier 0 mm3 Gerüst: die Stäbe füllen den ganzen Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3969,38 +3989,38 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the correction must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ausgleich muss einer von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the counts along {} must be a list, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Anzahlen entlang {} müssen eine Liste sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the counts along {} must be numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Anzahlen entlang {} müssen Zahlen sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the deflection</source>
-        <translation type="unfinished"></translation>
+        <translation>die Abweichung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the deflection must be 0 mm or more, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>die Abweichung muss 0 mm oder mehr sein, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/envelope_sources.py"/>
         <source>the density of an envelope must lie between 0 and 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dichte eines Hüllkörpers muss zwischen 0 und 1 liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the direction must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Richtung muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -4015,22 +4035,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the direction {} must not be zero, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Richtung {} darf nicht null sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
-        <translation type="unfinished"></translation>
+        <translation>das Dokument muss den Körper {} enthalten, hier keiner in {}: zuerst das Dokument mit ihm öffnen oder einem eigenen diesen Namen geben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>the edges of a drawn box must be above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kanten eines gezeichneten Quaders müssen über 0 liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the engine</source>
-        <translation type="unfinished"></translation>
+        <translation>das Verfahren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4043,12 +4063,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the envelope is only {} mm large: was its file in metres or inches, not mm?</source>
-        <translation type="unfinished"></translation>
+        <translation>der Hüllkörper ist nur {} mm groß: war seine Datei in Metern oder Zoll, nicht mm?</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the envelope is {} mm large: was its file in micrometres, not mm?</source>
-        <translation type="unfinished"></translation>
+        <translation>der Hüllkörper ist {} mm groß: war seine Datei in Mikrometern, nicht mm?</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
@@ -4063,7 +4083,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the envelope's triangles are the kernel's and may differ between versions of FreeCAD: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dreiecke des Hüllkörpers stammen vom Kern und können sich zwischen FreeCAD-Versionen unterscheiden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
@@ -4088,12 +4108,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>the face has no normal at ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>die Fläche hat bei ({}) mm keine Normale</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the faces of an IGES file must bound a closed body; these {} do not, with gaps up to {} mm closed (a STEP file keeps solids)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Flächen einer IGES-Datei müssen einen geschlossenen Körper begrenzen; diese {} tun es nicht, Lücken bis {} mm geschlossen (eine STEP-Datei behält Volumenkörper)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -4103,52 +4123,52 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/chosen_fields.py"/>
         <source>the field must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Feld muss eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must be readable, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei eines Hüllkörpers muss lesbar sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must end in one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei eines Hüllkörpers muss auf eines von {} enden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must hold a mesh, but {} cannot be read as one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei eines Hüllkörpers muss ein Netz enthalten, aber {} ist nicht als solches lesbar</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must hold a shape, but {} cannot be read as one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei eines Hüllkörpers muss eine Form enthalten, aber {} ist nicht als solche lesbar</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must hold a shape, got none in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei eines Hüllkörpers muss eine Form enthalten, hier keine in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>the file {} could not be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei {} konnte nicht gelesen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>the file's extension must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Endung der Datei muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>the folder {} could not be made: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner {} konnte nicht angelegt werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/results.py"/>
         <source>the folder {} must hold results that were written to the end: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner {} muss vollständig geschriebene Ergebnisse enthalten: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -4158,12 +4178,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the greatest number of rods of a coupling must be 0 (all) or more, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die größte Stabzahl einer Kopplung muss 0 (alle) oder mehr sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>the images of {} must be of one kind, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bilder von {} müssen von einer Art sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -4173,57 +4193,57 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
         <source>the kernel could not read a shape of {} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern konnte eine Form von {} Zeichen nicht lesen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
         <source>the kernel could not read a shape of {} characters: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern konnte eine Form von {} Zeichen nicht lesen: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the kernel cuts rod {} wrongly in every way tried</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern schneidet Stab {} auf jede versuchte Weise falsch</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>the kernel made no solid of {} triangles: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern machte keinen Volumenkörper aus {} Dreiecken: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/cutting.py"/>
         <source>the kernel made no triangles of a face at a deflection of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern erzeugte keine Dreiecke einer Fläche bei einer Abweichung von {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the kernel made no triangles of a solid at a deflection of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern erzeugte keine Dreiecke eines Volumenkörpers bei einer Abweichung von {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>the kernel refused it</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kern hat es abgelehnt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/file_sizes.py"/>
         <source>the kind must be one of npy, nrrd, vti, png, bmp, tiff, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Art muss eine von npy, nrrd, vti, png, bmp, tiff sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the layers along X, Y and Z must ask for the same total, got {}, {} and {} voxels: X - Z = {}, Y - Z = {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schichten entlang X, Y und Z müssen dieselbe Summe verlangen, hier {}, {} und {} Voxel: X - Z = {}, Y - Z = {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the layers contradict each other; count {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schichten widersprechen einander; zu zählen ist {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the lean</source>
-        <translation type="unfinished"></translation>
+        <translation>die Neigung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -4233,42 +4253,42 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>the mask must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Maske muss die Form {} haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>the mask's layers along {} have {} cells, but the common total is {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schichten der Maske entlang {} haben {} Zellen, die gemeinsame Summe ist {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the memory budget</source>
-        <translation type="unfinished"></translation>
+        <translation>die Speichergrenze</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the memory budget of {} GB is used up ({} GB)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Speichergrenze von {} GB ist aufgebraucht ({} GB)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
         <source>the mesh kernel must hold a closed mesh, got an open one of {} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>der Netzkern muss ein geschlossenes Netz enthalten, hier ein offenes mit {} Dreiecken</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
         <source>the mesh kernel must hold {} vertices and {} triangles, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Netzkern muss {} Ecken und {} Dreiecke enthalten, hier {} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the mesh must be closed and hold the {} mm3 of its voxels, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz muss geschlossen sein und die {} mm3 seiner Voxel enthalten, hier {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>the mesh was inside out; its triangles have been turned round</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz war umgestülpt; seine Dreiecke wurden gewendet</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -4299,42 +4319,42 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the order must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Reihenfolge muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>the origin on face {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ursprung auf Fläche {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>the pixels of {} must have a pitch: none stands in the images, and none was given</source>
-        <translation type="unfinished"></translation>
+        <translation>die Pixel von {} brauchen einen Abstand: in den Bildern steht keiner, und keiner ist gegeben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>the plane at {} mm along {} could not be cut: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ebene bei {} mm entlang {} konnte nicht geschnitten werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pores.py"/>
         <source>the pore at {} takes {} tangent components, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Pore bei {} braucht {} Tangentenkomponenten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>the porosity of slices along {} is that of an analysis of {}, got none: analyse it first</source>
-        <translation type="unfinished"></translation>
+        <translation>die Porosität der Schnitte entlang {} ist die einer Analyse von {}, hier keine: zuerst analysieren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>the prism of a job has a corner at the origin and its edges along X, Y, Z: the box's placement must be the identity, got {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Prisma eines Auftrags hat eine Ecke im Ursprung und Kanten entlang X, Y, Z: die Platzierung des Quaders muss die Identität sein, hier {} von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the prism's edge along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kante des Prismas entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -4349,42 +4369,42 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Glättungsdurchgänge müssen 0 oder mehr sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
-        <translation type="unfinished"></translation>
+        <translation>die mittlere Dicke der Probe ist {} Voxel; unter {} sind ihre Stäbe nicht </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Voxel der Probe müssen die Form {} haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the search for a design gave up after {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>die Suche nach einem Entwurf gab nach {} s auf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the search for a design needs scipy 1.9 or later: pip install scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>die Suche nach einem Entwurf braucht scipy 1.9 oder neuer: pip install scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the seed must lie in 0..{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Startwert muss in 0..{} liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the short name of a face must hold no dot, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Kurzname einer Fläche darf keinen Punkt enthalten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the side of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>die Seite einer Schicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
@@ -4394,22 +4414,22 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>the sites {} lost their face {}: {} has Face1..Face{}; choose another face</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stellen {} haben ihre Fläche {} verloren: {} hat Face1..Face{}; eine andere Fläche wählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>the sites {} must be on faces of {}, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stellen {} müssen auf Flächen von {} liegen, hier keine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>the sites {} must be on faces of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stellen {} müssen auf Flächen von {} liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the size of the pore at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Größe der Pore bei {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -4419,22 +4439,22 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the solid must be one of Solid1..Solid{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Volumenkörper muss einer von Solid1..Solid{} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the solid was inside out (volume {} mm3) and has been turned</source>
-        <translation type="unfinished"></translation>
+        <translation>der Volumenkörper war umgestülpt (Volumen {} mm3) und ist gewendet</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the solid was invalid ({}) and has been mended</source>
-        <translation type="unfinished"></translation>
+        <translation>der Volumenkörper war ungültig ({}) und ist repariert</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>the solver must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Lösungsverfahren muss eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
@@ -4444,47 +4464,47 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the spacing {} must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abstand {} muss größer als 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the stations of a rod must lie in 3..33, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Stationen eines Stabs müssen in 3..33 liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/registry.py"/>
         <source>the strategy must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Strategie muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the surface must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Oberfläche muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>the table must have {} rows and {} columns, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle muss {} Zeilen und {} Spalten haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels have these sums in columns and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabellen sind in Schicht {} entlang Z und in insgesamt {} Schichten nicht verträglich: keine Voxel haben diese Summen in Spalten und Zeilen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels within the mask have these sums in columns and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabellen sind in Schicht {} entlang Z und in insgesamt {} Schichten nicht verträglich: keine Voxel in der Maske haben diese Summen in Spalten und Zeilen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>the tables are not compatible: no layer {} along Z has these {} voxels in columns and {} in rows; {} of {} layers fail</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabellen sind nicht verträglich: keine Schicht {} entlang Z hat diese {} Voxel in Spalten und {} in Zeilen; {} von {} Schichten scheitern</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/tasks.py"/>
         <source>the task could not be written into {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufgabe konnte nicht in {} geschrieben werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
@@ -4505,17 +4525,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the time budget</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zeitgrenze</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the time budget of {} s is used up</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zeitgrenze von {} s ist aufgebraucht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the total must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Summe muss eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -4525,12 +4545,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the triangles of a solid</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dreiecke eines Volumenkörpers</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the triangles' volume must be the solid's to {} mm3 (deflection times area), got {} against {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>das Volumen der Dreiecke muss das des Volumenkörpers auf {} mm3 sein (Abweichung mal Fläche), hier {} gegen {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -4560,32 +4580,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>the voxel size</source>
-        <translation type="unfinished"></translation>
+        <translation>die Voxelgröße</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>the wavelength</source>
-        <translation type="unfinished"></translation>
+        <translation>die Wellenlänge</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>the window must not wait</source>
-        <translation type="unfinished"></translation>
+        <translation>das Fenster darf nicht warten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the {} of a box must be greater than 0 mm, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{} eines Quaders muss größer als 0 mm sein, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>the {} of {} and {} must leave some volume, got 0 mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>{} von {} und {} muss ein Volumen lassen, hier 0 mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>the {}{} fullest columns ask for {}, and the rows can give them {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die {}{} vollsten Spalten verlangen {}, und die Zeilen können ihnen {} geben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -4610,7 +4630,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>there must be a file or folder of that name, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>es muss eine Datei oder einen Ordner dieses Namens geben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -4620,12 +4640,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>there must be no contacts by an edge alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>es darf keine Kontakte nur über eine Kante geben, aber von {} Kontakten waren {}{} nicht zu beseitigen, ohne das Material zu teilen oder einen Hohlraum zu schließen; ein anderer Startwert oder kleinere Voxel können helfen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>there must be no contacts by an edge or a corner alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>es darf keine Kontakte nur über Kante oder Ecke geben, aber von {} Kontakten waren {}{} nicht zu beseitigen, ohne das Material zu teilen oder einen Hohlraum zu schließen; ein anderer Startwert oder kleinere Voxel können helfen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
@@ -4640,12 +4660,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>through a random point of a box about it (Eq. 3.1)</source>
+        <translation>durch einen zufälligen Punkt eines Quaders um ihn (Gl. 3.1)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>für {} der Stelle {} wird ein Punkt gebraucht, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4655,12 +4680,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>trabeculae</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>trabeculae along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4690,12 +4715,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
         <source>triangles between trimmed borders need the Python package scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke zwischen beschnittenen Rändern brauchen das Python-Paket scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -4705,7 +4730,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>triangles must lie within {} mm of a face, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke müssen innerhalb {} mm einer Fläche liegen, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -4715,22 +4740,22 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>triangles of a face must not fold over</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke einer Fläche dürfen sich nicht falten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>triangles of solids</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke der Volumenkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>triangles of the body</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke des Körpers</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>wahr oder falsch</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4740,7 +4765,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>two independent routes must agree, but they do not: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei unabhängige Wege müssen übereinstimmen, tun es aber nicht: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -4770,7 +4795,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>aktuell</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4780,7 +4805,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>verification</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachprüfung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -4800,17 +4825,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Netzes und der Voxel, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the rods, solids against meshes, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen der Stäbe, Volumenkörper gegen Netze, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Gerüsts, Volumenkörper gegen Netz, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4820,12 +4845,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>voxel counts {}, got {} in layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxelzahlen {}, hier {} in Schicht {} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/report.py"/>
         <source>voxel design</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxelentwurf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -4840,17 +4865,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>voxels must be as large as the layers of the sample, {} mm along {}, got {} mm, which makes {} layers of the sample's {}: slice it again with layers of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel müssen so groß sein wie die Schichten der Probe, {} mm entlang {}, hier {} mm, das ergibt {} Schichten der {} der Probe: sie neu in Schichten von {} mm schneiden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>voxels of {} mm would resolve them</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel von {} mm würden sie auflösen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/by_field.py"/>
         <source>voxels where the chosen field is highest, as nearly as the counts of the layers allow</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel, wo das gewählte Feld am höchsten ist, so gut es die Anzahlen der Schichten erlauben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4860,27 +4885,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
         <source>wavelengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Wellenlängen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>wavelengths must be three lengths above 2 voxels, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Wellenlängen müssen drei Längen über 2 Voxeln sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>what a document holds must be a value of this version: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>was ein Dokument enthält, muss ein Wert dieser Version sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>what is sliced must be a mesh or have a solid, got {} without</source>
-        <translation type="unfinished"></translation>
+        <translation>was geschnitten wird, muss ein Netz sein oder einen Volumenkörper haben, hier {} ohne</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>what is sliced must have triangles, got none in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>was geschnitten wird, muss Dreiecke haben, hier keine in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/guides.py"/>
@@ -4891,7 +4916,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>width of a texture must be 0.02 to 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Breite einer Textur muss 0.02 bis 1 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -4902,12 +4927,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>within the mask</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Maske</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>within the mask layer {} along {} holds {} voxels, but is asked for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Maske fasst Schicht {} entlang {} {} Voxel, verlangt sind {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
@@ -4929,7 +4954,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>{} % of it lie </source>
-        <translation type="unfinished"></translation>
+        <translation>{} % davon liegen </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -4939,7 +4964,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{} (the zero vector)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (der Nullvektor)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4954,7 +4979,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} and {} layers of {} and {} voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>{} und {} Schichten von {} und {} Voxeln</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4964,12 +4989,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>{} ask for {} voxels together, but the layers along {} leave them at most {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} verlangen zusammen {} Voxel, aber die Schichten entlang {} lassen ihnen höchstens {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>{} ask for {} voxels together, each voxel counted in every such layer it lies in; {} voxels give them at most {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} verlangen zusammen {} Voxel, jedes in jeder seiner Schichten gezählt; {} Voxel geben ihnen höchstens {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4979,43 +5004,43 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>{} can be coloured by one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} kann nach einem von {} gefärbt werden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} changes by hand do not</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Änderungen von Hand tun es nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} changes by hand do not fit the design: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Änderungen von Hand passen nicht zum Entwurf: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>{} could not be computed: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht berechnet werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} could not be read as CSV: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht als CSV gelesen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} could not be read as JSON: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht als JSON gelesen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} could not be read as XLSX: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht als XLSX gelesen werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} could not be read: there is no such file or folder</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht gelesen werden: es gibt keine solche Datei und keinen solchen Ordner</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5030,18 +5055,18 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>{} could not be written into {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht in {} geschrieben werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>{} could not be written whole: is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht vollständig geschrieben werden: ist der Datenträger voll?</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>{} could not be written: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} konnte nicht geschrieben werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -5056,17 +5081,17 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>{} faces were sewn to a solid, gaps up to {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Flächen wurden zu einem Volumenkörper vernäht, Lücken bis {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} has no key {}; known are {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat keinen Schlüssel {}; bekannt sind {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} have {} cells for them, and </source>
-        <translation type="unfinished"></translation>
+        <translation>{} haben {} Zellen dafür, und </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5096,12 +5121,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>{} layers of {} voxels cannot hold {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Schichten von {} Voxeln können {} nicht fassen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>{} mm, {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>{} mm, {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5136,7 +5161,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} must be a flat image, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein flaches Bild sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5157,17 +5182,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be a number a computer can hold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Zahl sein, die ein Rechner fasst, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must be a whole NPY file of numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine vollständige NPY-Datei mit Zahlen sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} must be an image that can be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein lesbares Bild sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5190,17 +5215,17 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} must be computed anew: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss neu berechnet werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>{} must be computed before its rods are coloured, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss berechnet sein, bevor seine Stäbe gefärbt werden, Zustand: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss endlich sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5210,37 +5235,37 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>{} must be linked to 1 face, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mit 1 Fläche verknüpft sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/prism_sites.py"/>
         <source>{} must be linked to a box, got nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mit einem Quader verknüpft sein, hier nichts</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/prism_sites.py"/>
         <source>{} must be linked to a box, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mit einem Quader verknüpft sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>{} must be linked to a scaffold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mit einem Gerüst verknüpft sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>{} must be linked to a wireframe, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mit einem Drahtgerüst verknüpft sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} must be made of curves to get others, it follows another sample</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss aus Kurven gemacht sein, um andere zu bekommen, folgt aber einer anderen Probe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be one number or three, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss aus einer Zahl oder dreien bestehen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5257,27 +5282,27 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} must be up to date for its contours, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss für seine Konturen aktuell sein, Zustand: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>{} must be up to date to be saved, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss zum Speichern aktuell sein, Zustand: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must be up to date to be written: update it first</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss zum Schreiben aktuell sein: zuerst aktualisieren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>{} must be without error to be written as a script, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ohne Fehler sein, um als Skript geschrieben zu werden, Zustand: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must be without error to be written, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss zum Schreiben ohne Fehler sein, Zustand: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5288,52 +5313,52 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must begin with NRRD000, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mit NRRD000 beginnen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must give the sizes of its voxels (spacings or space directions)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss die Größen seiner Voxel nennen (spacings oder space directions)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must have a column {}; it has, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Spalte {} haben; sie hat, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must have a line of names and one for each layer, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Zeile mit Namen und eine je Schicht haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must have a mesh or a shape to be written, got neither</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss zum Schreiben ein Netz oder eine Form haben, hier keines</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
         <source>{} must have a sample, a source, a file or drawn curves, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss eine Probe, einen Körper, eine Datei oder gezeichnete Kurven haben, hier keines</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} must have a source or a file to be sliced, got neither</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss einen Körper oder eine Datei zum Schneiden haben, hier keines</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>{} must have at least one rod, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens einen Stab haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>{} must have at least one solid, got a {} without one</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens einen Volumenkörper haben, hier {} ohne einen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>{} must have at least one solid, got no shape</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss mindestens einen Volumenkörper haben, hier keine Form</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -5344,12 +5369,12 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} must have been computed, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss berechnet sein, Zustand: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must have the layers 0, 1, ... along {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss die Schichten 0, 1, ... entlang {} haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5359,7 +5384,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} must have the sheets alpha and beta; it has, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss die Blätter alpha und beta haben; sie hat, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -5369,17 +5394,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must have triangles to be written, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss zum Schreiben Dreiecke haben, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must have {} values, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss {} Werte haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must hold an array of three axes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss ein Feld mit drei Achsen enthalten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
@@ -5394,17 +5419,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must hold finite numbers, got {} that are not</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss endliche Zahlen enthalten, hier {}, die es nicht sind</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} must hold images ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss Bilder enthalten ({}), hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must hold numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss Zahlen enthalten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5414,13 +5439,13 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must hold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss enthalten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>{} must lie in 0..{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss in 0..{} liegen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5431,7 +5456,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>{} must lie on it to {} mm, got a distance of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss auf {} mm darauf liegen, hier ein Abstand von {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -5446,7 +5471,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>{} must show the rods of {}, got {}: update it</source>
-        <translation type="unfinished"></translation>
+        <translation>{} muss die Stäbe von {} zeigen, hier {}: aktualisieren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -5461,7 +5486,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of the body and the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>{} des Körpers und der Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5471,12 +5496,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} von {} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} pairs of pores overlap on face {}: pores must be smaller than their spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Porenpaare überlappen sich auf Fläche {}: Poren müssen kleiner als ihr Abstand sein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -5486,12 +5511,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} parts</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Teile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} pores reach over the border of face {}: half their size must not exceed the distance from it</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Poren reichen über den Rand von Fläche {}: ihre halbe Größe darf den Abstand davon nicht überschreiten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -5501,22 +5526,22 @@
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>{} rods, {} mm^3 with overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Stäbe, {} mm^3 mit Überlappungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>{} sites</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Stellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Schnitte, Knochenanteil {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, {} of them spoilt, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Schnitte, {} davon fehlerhaft, Knochenanteil {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5536,47 +5561,47 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} voxels in one part, exact along X, Y and Z, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Voxel in einem Teil, genau entlang X, Y und Z, Knochenanteil {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} voxels in {} parts, exact along X, Y and Z, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} Voxel in {} Teilen, genau entlang X, Y und Z, Knochenanteil {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/migrations.py"/>
         <source>{} was made by a later version of Trabecula: its schema must be at most {}, got {}; update Trabecula</source>
-        <translation type="unfinished"></translation>
+        <translation>{} stammt von einer späteren Version von Trabecula: sein Schema darf höchstens {} sein, hier {}; Trabecula aktualisieren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>{} x {} x {} layers, {} cells: about {} GB of memory and {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{} x {} x {} Schichten, {} Zellen: etwa {} GB Speicher und {} s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} {} ask for {} voxels together, but </source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} verlangen zusammen {} Voxel, aber </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} {} ask for {} voxels together, but the other layers along {} are asked for {} in all</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} verlangen zusammen {} Voxel, aber von den anderen Schichten entlang {} sind insgesamt {} verlangt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{} {} must be one JSON object, got {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} muss ein JSON-Objekt sein, hier {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>{} {} sums to {}, asked for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} ergibt {}, verlangt {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>{} {} times</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {}-mal</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5601,12 +5626,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Zeile {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: a layer must stand there once, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Zeile {}: eine Schicht muss dort einmal stehen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
@@ -5616,12 +5641,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: the axis must be x, y or z, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Zeile {}: die Achse muss x, y oder z sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine binäre STL-Datei hat mindestens {}{} Bytes, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -5636,22 +5661,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{}: a table must have sums and cells, got rows, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine Tabelle muss Summen und Zellen haben, hier Zeilen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: a voxel must have three edges above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: ein Voxel muss drei Kanten über 0 haben, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{}: all rows must have the same length, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: alle Zeilen müssen gleich lang sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: an ASCII STL file must end with 'endsolid'; this one is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine ASCII-STL-Datei muss mit 'endsolid' enden; diese ist abgeschnitten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -5661,7 +5686,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: an STL file must hold at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine STL-Datei muss mindestens ein Dreieck enthalten, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5681,47 +5706,47 @@
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: co-ordinates must be finite; triangle {}{} of {} has {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Koordinaten müssen endlich sein; Dreieck {}{} von {} hat {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: co-ordinates must be numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Koordinaten müssen Zahlen sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: direction in which a linear law grows</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Richtung, in der ein lineares Gesetz wächst</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: each facet must have three vertices, got {} vertices in {} facets</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: jede Facette muss drei Ecken haben, hier {} Ecken in {} Facetten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{}: every sum and cell must be a whole number, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: jede Summe und Zelle muss eine ganze Zahl sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: formula of x, y, z (mm) and a random u in 0..1</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Formel mit x, y, z (mm) und einer Zufallszahl u in 0..1</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: how it varies over the design</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: wie es sich über den Entwurf ändert</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}: it must be a number, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: es muss eine Zahl sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}: its values must be lists of numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: seine Werte müssen Listen von Zahlen sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5746,17 +5771,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: sizes must be three numbers above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Größen müssen drei Zahlen über 0 sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: sizes must be whole numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Größen müssen ganze Zahlen sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: spacings, directions and origin must be numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: spacings, directions und origin müssen Zahlen sein: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
@@ -5766,37 +5791,37 @@
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: the constant value, or the least; linear, radial: at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: der feste Wert oder der kleinste; linear, radial: am Anfang</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>{}: the counts weigh {}, no design above {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Anzahlen wiegen {}, kein Entwurf über {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the data must stand in the file itself, not in a data file of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Daten müssen in der Datei selbst stehen, nicht in einer eigenen Datendatei</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the encoding must be raw or gzip, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Kodierung muss raw oder gzip sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: the file became shorter while it was read, at triangle {}{}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Datei wurde beim Lesen kürzer, bei Dreieck {}{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: the greatest value; linear, radial: at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: der größte Wert; linear, radial: am Ende</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the header must end with an empty line; the file is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: der Kopf muss mit einer leeren Zeile enden; die Datei ist abgeschnitten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
@@ -5806,17 +5831,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the packed data are damaged or cut off: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die gepackten Daten sind beschädigt oder abgeschnitten: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: the size of a binary STL file must be 84 + 50 bytes for each triangle; its header says {} triangles, {} bytes hold {} and {} bytes more</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: eine binäre STL-Datei muss 84 + 50 Bytes je Dreieck haben; ihr Kopf sagt {} Dreiecke, {} Bytes fassen {} und {} Bytes mehr</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the type must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: der Typ muss einer von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -5851,7 +5876,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} x {} x {} Werte von {} sind {} Bytes, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -5866,7 +5891,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>{}; {} sums or cells are wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; {} Summen oder Zellen sind falsch</translation>
     </message>
 </context>
 <context>
@@ -5949,7 +5974,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>All sums are right and every layer can be filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Summen stimmen, und jede Schicht kann gefüllt werden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
@@ -5976,7 +6001,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>As they were</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie zuvor</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
@@ -5998,6 +6023,11 @@
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Back</source>
         <translation>Zurück</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Begin with</source>
+        <translation>Beginnen mit</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6023,7 +6053,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Bone fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochenanteil</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/prism_section.py"/>
@@ -6038,7 +6068,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Both routes</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Wege</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/paths_section.py"/>
@@ -6109,9 +6139,14 @@
         <translation>Flächen in der 3D-Ansicht anklicken; ein zweiter Klick nimmt eine weg</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_view.py"/>
+        <source>Click for a new point, drag points, right click takes one away</source>
+        <translation>Klicken für einen neuen Punkt, Punkte ziehen, Rechtsklick nimmt einen weg</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/task_panels.py"/>
@@ -6121,7 +6156,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Closed cavities</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossene Hohlräume</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6141,7 +6176,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Colour by</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe nach</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6166,7 +6201,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Connected parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusammenhängende Teile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6186,12 +6221,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Contacts by a corner alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte nur über eine Ecke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Contacts by an edge alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte nur über eine Kante</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
@@ -6252,7 +6287,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Design with these</source>
-        <translation type="unfinished"></translation>
+        <translation>Damit entwerfen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6275,6 +6310,16 @@
         <translation>Richtung v</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Draw sliced areas</source>
+        <translation>Schnittflächen zeichnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Draw the sliced areas along X, Y and Z, anew or from those of an analysis</source>
+        <translation>Die Schnittflächen entlang X, Y und Z zeichnen, neu oder nach denen einer Analyse</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <source>Earlier: its faces' sites are taken first</source>
         <translation>Früher: die Stellen ihrer Flächen werden zuerst vergeben</translation>
@@ -6283,6 +6328,11 @@
         <location filename="../../freecad_trabecula/gui/prism_section.py"/>
         <source>Edge</source>
         <translation>Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Edges X, Y, Z</source>
+        <translation>Kanten X, Y, Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
@@ -6309,7 +6359,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Exact on every layer of the three axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Genau in jeder Schicht der drei Achsen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
@@ -6395,7 +6445,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Formel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
@@ -6425,12 +6475,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben eine Bedeutung geben; eine Legende sagt, welche. Objekte auswählen, oder nichts für alle sichtbaren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Glass envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Gläserner Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
@@ -6485,7 +6535,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Layer along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Schicht entlang Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
@@ -6500,7 +6550,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Layers along X, Y, Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten entlang X, Y, Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -6542,12 +6592,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsehen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through bodies and envelope. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Körper und Hüllkörper sehen. Einen Entwurf auswählen, oder nichts für alle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6562,7 +6612,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Mean deviation of the trabeculae, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Abweichung der Trabekel, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6632,7 +6682,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>No voxels fill layer {} along Z; {} layers do not go</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Voxel füllen Schicht {} entlang Z; {} Schichten gehen nicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -6647,13 +6697,18 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Numbers</source>
         <translation>Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Off: share of the layer in %</source>
+        <translation>Aus: Anteil der Schicht in %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6673,12 +6728,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>One step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schritt zurück</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>One step on</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schritt vor</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>One total</source>
+        <translation>Eine Summe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6698,7 +6758,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -6799,7 +6859,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Plain colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfache Farben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6839,17 +6899,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along X</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität der Schnitte entlang X</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität der Schnitte entlang Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität der Schnitte entlang Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6890,6 +6950,11 @@
         <translation>Größe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Raise or lower the curves until all ask for the mean volume</source>
+        <translation>Die Kurven heben oder senken, bis alle das mittlere Volumen verlangen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Range and heights</source>
         <translation>Bereich und Höhen</translation>
@@ -6897,12 +6962,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Read tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen lesen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Read …</source>
-        <translation type="unfinished"></translation>
+        <translation>Lesen …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
@@ -6969,7 +7034,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Rods by coupling</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe nach Kopplung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6979,12 +7044,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Rods by recovery</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe nach Behebung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Rods by size</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe nach Größe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7009,7 +7074,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Run on, or stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiterlaufen oder anhalten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
@@ -7096,7 +7161,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Second route</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter Weg</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
@@ -7132,7 +7197,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Share of the largest part</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des größten Teils</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7142,12 +7207,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Show bodies in a clear envelope. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper in durchsichtigem Hüllkörper zeigen. Einen Entwurf auswählen, oder nichts für alle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Show bodies solid, no envelope. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Körper undurchsichtig zeigen, ohne Hüllkörper. Einen Entwurf auswählen, oder nichts für alle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7237,17 +7302,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Undurchsichtig</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Solid voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Volle Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -7272,7 +7337,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Step {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt {} von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7282,7 +7347,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Strategy {} makes voxels without tables; another strategy fills layers from edited ones</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strategie {} macht Voxel ohne Tabellen; eine andere füllt Schichten aus geänderten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7307,7 +7372,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Tables of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
@@ -7358,7 +7423,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>The design's own tables; cells can be edited, their sums must stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabellen des Entwurfs; Zellen sind änderbar, ihre Summen müssen bleiben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7374,6 +7439,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>The thesis' designs, to start from</source>
         <translation>Die Entwürfe der Dissertation als Ausgangspunkt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>The totals differ; a design scales all curves to their mean, {} mm³</source>
+        <translation>Die Summen unterscheiden sich; ein Entwurf bringt alle Kurven auf ihr Mittel, {} mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7420,12 +7490,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>To the empty layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur leeren Schicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>To the last step</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum letzten Schritt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7466,17 +7536,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Trabeculae in layers along X</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel in Schichten entlang X</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Trabeculae in layers along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel in Schichten entlang Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Trabeculae in layers along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel in Schichten entlang Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7512,12 +7582,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Volume of the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Netzes</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Volume of the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen der Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
@@ -7542,12 +7612,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Voxels asked for in each column, from the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlangte Voxel je Spalte, von links</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Voxels asked for in each row, from the lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlangte Voxel je Zeile, von unten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7557,7 +7627,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Watch a layer being filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen einer Schicht beobachten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7577,22 +7647,22 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Why? Formula, source, second route</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum? Formel, Quelle, zweiter Weg</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Write tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen schreiben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Write …</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>X-ray</source>
-        <translation type="unfinished"></translation>
+        <translation>Röntgenblick</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7602,12 +7672,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>alpha, columns</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha, Spalten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>alpha: voxels in the lines (x, z)</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha: Voxel in den Linien (x, z)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
@@ -7617,7 +7687,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>and {} more</source>
-        <translation type="unfinished"></translation>
+        <translation>und {} weitere</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7635,9 +7705,14 @@
         <translation>Fläche, mm²</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>areas in mm²</source>
+        <translation>Flächen in mm²</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gezogen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -7647,7 +7722,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>der Reihe nach</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
@@ -7662,12 +7737,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>beta, rows</source>
-        <translation type="unfinished"></translation>
+        <translation>beta, Zeilen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>beta: voxels in the lines (y, z)</source>
-        <translation type="unfinished"></translation>
+        <translation>beta: Voxel in den Linien (y, z)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7713,7 +7788,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>columns, u stays smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalten, u bleibt am kleinsten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7723,7 +7798,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>coupling</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopplung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7756,14 +7831,19 @@
         <translation>Richtung: 0.6,0.8,0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>drawn curves</source>
+        <translation>gezeichnete Kurven</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>failed, left out</source>
-        <translation type="unfinished"></translation>
+        <translation>misslungen, weggelassen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>false</source>
-        <translation type="unfinished"></translation>
+        <translation>falsch</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7783,7 +7863,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>kind of the contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Konturen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/language.py"/>
@@ -7804,7 +7884,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>mended</source>
-        <translation type="unfinished"></translation>
+        <translation>repariert</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
@@ -7814,7 +7894,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -7829,7 +7909,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_model.py"/>
         <source>no voxels have these sums in columns and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Voxel haben diese Summen in Spalten und Zeilen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -7846,7 +7926,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>nothing that is seen can be coloured by that</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts Sichtbares kann danach gefärbt werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>nothing: drawn anew</source>
+        <translation>nichts: neu gezeichnet</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7872,7 +7957,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>plates</source>
-        <translation type="unfinished"></translation>
+        <translation>Platten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7882,7 +7967,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>porosity of the slices along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität der Schnitte entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7907,12 +7992,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>recovery of the rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Behebung der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7922,7 +8007,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>rows, v stays smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen, v bleibt am kleinsten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
@@ -7952,12 +8037,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>size of the rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>slice </source>
         <translation>Schnitt </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_view.py"/>
+        <source>sliced area along {}, {}</source>
+        <translation>Schnittfläche entlang {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7988,7 +8078,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_model.py"/>
         <source>sum</source>
-        <translation type="unfinished"></translation>
+        <translation>Summe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7998,7 +8088,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>the shortest first</source>
-        <translation type="unfinished"></translation>
+        <translation>die kürzeste zuerst</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -8026,14 +8116,19 @@
         <translation>nach</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>total along {}: {} mm³, {} % of the box</source>
+        <translation>Summe entlang {}: {} mm³, {} % des Quaders</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>trabeculae in the layers along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel in den Schichten entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>true</source>
-        <translation type="unfinished"></translation>
+        <translation>wahr</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -8048,7 +8143,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -8166,27 +8261,27 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: next column {}, {} voxels into the rows that need most</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: nächste Spalte {}, {} Voxel in die Zeilen, die am meisten brauchen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: next row {}, {} voxels into the columns that need most</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: nächste Zeile {}, {} Voxel in die Spalten, die am meisten brauchen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: no design with these numbers any more</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: kein Entwurf mit diesen Zahlen mehr</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: the layer is filled</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: die Schicht ist gefüllt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>{}; {} sums or cells are wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; {} Summen oder Zellen sind falsch</translation>
     </message>
 </context>
 <context>
@@ -8220,12 +8315,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben eine Bedeutung geben; eine Legende sagt, welche. Objekte auswählen, oder nichts für alle sichtbaren</translation>
     </message>
 </context>
 <context>
@@ -8714,12 +8809,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsehen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Solid, in a glass envelope, or as an X-ray. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Undurchsichtig, in gläsernem Hüllkörper oder als Röntgenblick. Einen Entwurf auswählen, oder nichts für alle</translation>
     </message>
 </context>
 <context>
@@ -8766,12 +8861,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>See, edit, read and write the tables alpha and beta. Needs a voxel design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabellen alpha und beta ansehen, ändern, lesen und schreiben. Braucht einen Voxelentwurf; von mehreren einen auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen</translation>
     </message>
 </context>
 <context>
@@ -8792,12 +8887,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Watch a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Schicht beobachten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Watch how a layer is filled, step by step. Select a voxel design for its layers, or nothing for own numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt für Schritt beobachten, wie eine Schicht gefüllt wird. Einen Voxelentwurf für seine Schichten auswählen, oder nichts für eigene Zahlen</translation>
     </message>
 </context>
 <context>
@@ -8830,7 +8925,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;eeing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
@@ -8850,7 +8945,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula seeing</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula Ansicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>

@@ -1593,37 +1593,37 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> (closed: make a solid of it first)</source>
-        <translation type="unfinished"></translation>
+        <translation> (chiuso: farne prima un solido)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source> ... ({} layers)</source>
-        <translation type="unfinished"></translation>
+        <translation> ... ({} strati)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source> above {}</source>
-        <translation type="unfinished"></translation>
+        <translation> oltre {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source> and with {}</source>
-        <translation type="unfinished"></translation>
+        <translation> e con {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> or {}</source>
-        <translation type="unfinished"></translation>
+        <translation> o {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source> within the mask</source>
-        <translation type="unfinished"></translation>
+        <translation> nella maschera</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>, {} of them spoilt</source>
-        <translation type="unfinished"></translation>
+        <translation>, {} guaste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1634,6 +1634,16 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>1 less what the body adds to the Euler number of the structure it was cut out of: the box's faces count half, its edges a quarter, its corners an eighth</source>
         <translation>1 meno ciò che il corpo aggiunge al numero di Eulero della struttura da cui è tagliato: le facce del parallelepipedo contano metà, gli spigoli un quarto, i vertici un ottavo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>2-point curve along the inner normals</source>
+        <translation>curva a 2 punti lungo le normali interne</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>3-point curve through a convergence point</source>
+        <translation>curva a 3 punti per un punto di convergenza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -1648,7 +1658,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>Analysis {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Analisi {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1694,7 +1704,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>File from which the envelope was made</source>
-        <translation type="unfinished"></translation>
+        <translation>File da cui è fatto l'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -1709,7 +1719,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Layers of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Strati di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1719,17 +1729,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>On: computed with every recompute; off: shown as out of date until it is updated</source>
-        <translation type="unfinished"></translation>
+        <translation>Sì: calcolato a ogni ricalcolo; no: mostrato come non aggiornato finché non lo si aggiorna</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>On: the value counts. {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Sì: il valore conta. {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
         <source>One connected part of sheets and rods, like the sample's; no floating voxel, no closed cavity</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sola parte connessa di lamine e aste, come quelle del campione; nessun voxel sospeso, nessuna cavità chiusa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -1744,7 +1754,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/makers.py"/>
         <source>Sites {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Siti {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1754,17 +1764,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>Solid in that file</source>
-        <translation type="unfinished"></translation>
+        <translation>Solido in quel file</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>Solid{}{} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>Solid{}{} ({})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
         <source>Specimen {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Provino {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1789,17 +1799,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels of drawn curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel di curve disegnate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>What was mended in the file's solid, and what looks wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa è stato riparato nel solido del file, e che cosa sembra errato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -1825,47 +1835,47 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>a cap of {} on {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un massimo di {} per {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>a change by hand does not</source>
-        <translation type="unfinished"></translation>
+        <translation>una modifica a mano non lo fa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>a change by hand does not fit the design: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una modifica a mano non si accorda col progetto: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/sites.py"/>
         <source>a change by hand must name a site of face {} ({} sites), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una modifica a mano deve nominare un sito della faccia {} ({} siti), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>a closed mesh must hold some volume, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh chiusa deve avere un volume, qui {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line could not be followed for {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>non si è potuta seguire una linea coordinata per {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line has no end after {} steps and {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>una linea coordinata non ha fine dopo {} passi e {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line left the face unnoticed after {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>una linea coordinata è uscita dalla faccia senza avviso dopo {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a co-ordinate line's plane touches the face</source>
-        <translation type="unfinished"></translation>
+        <translation>il piano di una linea coordinata tocca la faccia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1875,7 +1885,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a convergence point's co-ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordinata di un punto di convergenza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
@@ -1895,62 +1905,62 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a coupling needs two faces, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un accoppiamento richiede due facce, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve along {} must ask for some material, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una curva lungo {} deve chiedere del materiale, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve along {} must have at least one point, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una curva lungo {} deve avere almeno un punto, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve must have at least one point, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una curva deve avere almeno un punto, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve's places along {} must lie in 0..1 of the edge, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le posizioni di una curva lungo {} devono stare in 0..1 del lato, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve's points must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i punti di una curva devono essere finiti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a curve's points must differ along the axis, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i punti di una curva devono differire lungo l'asse, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
         <source>a design for these targets must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto per questi obiettivi deve avere la forma {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a design must be an array with three axes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto deve essere una matrice a tre assi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>a design must have at least one solid voxel to have a surface, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto deve avere almeno un voxel pieno per avere una superficie, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/blocks.py"/>
         <source>a design must have at least one voxel to have a mesh, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto deve avere almeno un voxel per avere una mesh, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>a design must have at least one voxel; the densities in this mask make, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto deve avere almeno un voxel; le densità in questa maschera danno, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -1960,17 +1970,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>a design must have at most {} voxels; {} would take about {} GB of memory; larger voxels make fewer, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto può avere al più {} voxel; {} richiederebbero circa {} GB di memoria; voxel più grandi sono di meno, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto deve avere voxel pieni, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a direction must not be along the face's normal at the origin of its line, got ({}, {}, {})</source>
-        <translation type="unfinished"></translation>
+        <translation>una direzione non deve essere lungo la normale alla faccia nell'origine della sua linea, qui ({}, {}, {})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -1990,22 +2000,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a face must be named, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia deve essere nominata, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a face must be one of Face1..Face{} or {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia deve essere una di Face1..Face{} o {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a face must be one of Face1..Face{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia deve essere una di Face1..Face{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>a face must have at most {} sites, but spacings of {} and {} mm give about {} on {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia può avere al più {} siti, ma passi di {} e {} mm ne danno circa {} su {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -2015,7 +2025,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>a face of {} must be one of Face1..Face{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia di {} deve essere una di Face1..Face{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -2025,7 +2035,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a fault without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>un difetto senza nome</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
@@ -2045,7 +2055,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>a job must have the sites of 1 prism, or those of faces, got {} prisms and {} faces in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un lavoro deve avere i siti di 1 prisma, o quelli di facce, qui {} prismi e {} facce in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2080,22 +2090,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a layer along {} holds {} voxels, but layer {} is asked for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato lungo {} contiene {} voxel, ma allo strato {} ne sono chiesti {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a layer along {} holds {} voxels, but the area {} mm² of layer {} asks for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato lungo {} contiene {} voxel, ma l'area {} mm² dello strato {} ne chiede {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_outlines.py"/>
         <source>a layer must be an array of two axes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato deve essere una matrice a due assi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>a layer must be one of 0..{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>uno strato deve essere uno di 0..{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -2110,32 +2120,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a layer's thickness must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>lo spessore di uno strato deve essere maggiore di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>a mask for these targets must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una maschera per questi obiettivi deve avere la forma {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>a mask must be in one part, got parts of {} and {} cells</source>
-        <translation type="unfinished"></translation>
+        <translation>una maschera deve essere in un pezzo, qui parti di {} e {} celle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>a mask must have at least one cell, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una maschera deve avere almeno una cella, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a mask must have at least one cell; {} has in the targets' box, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una maschera deve avere almeno una cella; {} ne ha nel parallelepipedo degli obiettivi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>a mask must have at least one voxel, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una maschera deve avere almeno un voxel, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -2145,17 +2155,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a mesh must be closed to be filled with voxels: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve essere chiusa per essere riempita di voxel: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must be closed to become a solid, got {} holes with {} open edges</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve essere chiusa per diventare un solido, qui {} fori con {} spigoli aperti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>a mesh must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve avere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2165,17 +2175,17 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must have at most {} triangles to become a solid, got {}: reduce it (Mesh &gt; Decimation) or give a STEP file</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve avere al più {} triangoli per diventare un solido, qui {}: ridurla (Mesh &gt; Decimazione) o dare un file STEP</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must have triangles, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve avere triangoli, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a mesh must have two triangles at each edge, turned alike, to become a solid; got {} edges of more than two and {} edges of triangles turned unevenly</source>
-        <translation type="unfinished"></translation>
+        <translation>una mesh deve avere a ogni spigolo due triangoli girati allo stesso modo per diventare un solido; qui {} spigoli di più di due e {} spigoli di triangoli girati male</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -2185,7 +2195,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>un numero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/explanations/registry.py"/>
@@ -2195,22 +2205,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/patchwork.py"/>
         <source>a patchwork needs a closed mesh each of whose edges has two triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>un patchwork richiede una mesh chiusa i cui spigoli hanno due triangoli ciascuno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a path's tension must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la tensione di un percorso deve essere maggiore di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>a pitch must be three lengths above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un passo deve essere di tre lunghezze maggiori di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/presets.py"/>
         <source>a preset must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un modello deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2225,22 +2235,22 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
         <source>a rod must be a valid solid of positive volume, got {} mm3 for rod {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'asta deve essere un solido valido di volume positivo, qui {} mm3 per l'asta {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>a rod must be a valid solid, got one that is not for rod {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'asta deve essere un solido valido, l'asta {} non lo è</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>a rod's solid must have its mesh's volume within {}, got {} and {} mm3 for rod {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il solido di un'asta deve avere il volume della sua mesh entro {}, qui {} e {} mm3 per l'asta {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>a row of {} does not fit into its ranks</source>
-        <translation type="unfinished"></translation>
+        <translation>una riga di {} non sta nei suoi ranghi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2250,67 +2260,67 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
         <source>a sample must have a surface to fit a texture to, got one that is empty or full</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere una superficie per adattarvi una tessitura, qui è vuoto o pieno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a sample must have at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have material and voids: of {} cells are solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere materiale e vuoti: di {} celle sono piene, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels above {} are solid</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere materiale e vuoti: di {} voxel oltre {} sono pieni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels above {} are solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere materiale e vuoti: di {} voxel oltre {} sono pieni, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels are solid</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere materiale e vuoti: di {} voxel sono pieni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a sample must have material and voids: of {} voxels are solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere materiale e vuoti: di {} voxel sono pieni, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have material: its sliced areas make, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere materiale: le sue aree di fetta danno, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have voids: of {} cells its sliced areas fill, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un campione deve avere vuoti: di {} celle le sue aree di fetta ne riempiono, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a sample's mesh must be closed; its open area is, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesh di un campione deve essere chiusa; la sua area aperta è, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>a sample's mesh must not be inside out; its volume is, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesh di un campione non deve essere rovesciata; il suo volume è, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
         <source>a scan must have more than one grey value to be parted by Otsu's threshold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una scansione deve avere più di un livello di grigio per la soglia di Otsu, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>a script must have a design, an analysis or voxels to make, got none in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>uno script deve avere un progetto, un'analisi o voxel da fare, qui nulla in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2320,12 +2330,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>a shape must have faces to be written into {}, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>una forma deve avere facce per essere scritta in {}, qui nessuna</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>a shape that is cut must have at least one solid, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>una forma da tagliare deve avere almeno un solido, qui nessuno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
@@ -2335,72 +2345,72 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>a site placed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>un sito posto a mano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a site's co-ordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordinata di un sito</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a site's name must read face.i.j, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il nome di un sito deve essere face.i.j, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a sliced area along {} must not be larger than its layer, got {} of it at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'area di fetta lungo {} non deve essere maggiore del suo strato, qui {} di essa in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a sliced area along {} must not be negative, got {} of it at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'area di fetta lungo {} non deve essere negativa, qui {} di essa in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>a solid from a mesh must have its volume of {} mm3, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>un solido da una mesh deve averne il volume di {} mm3, qui {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>a solid must have a volume greater than 0, got {} mm3: it is empty or inside out</source>
-        <translation type="unfinished"></translation>
+        <translation>un solido deve avere un volume maggiore di 0, qui {} mm3: è vuoto o rovesciato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>a solid must not cross itself; {} pairs of its triangles do, the longest crossing is {} mm at ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>un solido non deve incrociarsi; {} coppie dei suoi triangoli lo fanno, l'incrocio più lungo è {} mm in ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>a solid of patches has no closed voids, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un solido di toppe non ha vuoti chiusi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>a solid scaffold must have all its channels: the B-Rep engine came to {} of {} rods, then {}; the mesh scaffold stands</source>
-        <translation type="unfinished"></translation>
+        <translation>uno scaffold solido deve avere tutti i suoi canali: il metodo B-Rep è arrivato a {} aste su {}, poi {}; lo scaffold a mesh resta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>a solid's faces must be bounded by seams that do not cross, got {} of {} seams of surfaces that nearly touch</source>
-        <translation type="unfinished"></translation>
+        <translation>le facce di un solido devono essere limitate da cuciture che non si incrociano, qui {} su {} cuciture di superfici quasi a contatto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a surface must be told by {} points at most, got {} x {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una superficie deve essere descritta da al più {} punti, qui {} x {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/patchwork.py"/>
         <source>a surface of a patchwork must meet others, got one that is closed in itself</source>
-        <translation type="unfinished"></translation>
+        <translation>una superficie di un patchwork deve incontrarne altre, qui una è chiusa in sé</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a tangent component of the pore at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una componente della tangente del poro in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2410,7 +2420,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>un testo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
@@ -2420,47 +2430,47 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face must have no kink inside</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia tagliata non deve avere pieghe all'interno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face with a seam or a pole must be bent both ways</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia tagliata con cucitura o polo deve essere curva in entrambi i versi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face with a seam or a pole must not turn away from its middle plane</source>
-        <translation type="unfinished"></translation>
+        <translation>una faccia tagliata con cucitura o polo non deve allontanarsi dal suo piano medio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must have three edges above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un voxel deve avere tre lati maggiori di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must not be larger than the sample, {} mm along {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un voxel non deve essere più grande del campione, {} mm lungo {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>a voxel's edges must be at least {} mm, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i lati di un voxel devono essere almeno {} mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>a wavelength must be 0 (fitted) or more, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una lunghezza d'onda deve essere 0 (adattata) o più, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>un numero intero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>a {} without one</source>
-        <translation type="unfinished"></translation>
+        <translation>{} senza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2470,7 +2480,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>all images of a stack must have one size, {} pixels, but {} has {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tutte le immagini di una pila devono avere una sola dimensione, {} pixel, ma {} ha {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -2480,22 +2490,27 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>all layers must have the voxels asked for, but {} have not: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tutti gli strati devono avere i voxel richiesti, ma {} non li hanno: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>along the normal</source>
+        <translation>lungo la normale</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>alpha and beta must have the same counts in the layers along Z, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha e beta devono avere gli stessi conteggi negli strati lungo Z, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>alpha and beta must have the same sum, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha e beta devono avere la stessa somma, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>an analysis along X, Y and Z is needed; {} has, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>serve un'analisi lungo X, Y e Z; {} ha, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -2505,12 +2520,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>an edge of a curved face must have its parameters on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>uno spigolo di una faccia curva deve avere i suoi parametri sulla superficie</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>an edge of the box of middle points</source>
-        <translation type="unfinished"></translation>
+        <translation>un lato del parallelepipedo dei punti intermedi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2520,52 +2535,52 @@
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>an envelope must be a box or come from a file to be kept in a job, got {}; export it as STEP and name that file</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve essere un parallelepipedo o venire da un file per stare in un lavoro, qui {}; esportarlo come STEP e nominare quel file</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be a closed solid, got an open one of {} faces</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve essere un solido chiuso, qui uno aperto di {} facce</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be a valid solid; the kernel finds: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve essere un solido valido; il nucleo trova: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be one closed solid, got a {} of {} faces and no solid</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve essere un solido chiuso, qui {} di {} facce e nessun solido</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be one closed solid, got a {} of {} faces and no solid (closed: make a solid of it first)</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve essere un solido chiuso, qui {} di {} facce e nessun solido (chiuso: farne prima un solido)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must have a shape, got an empty one</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve avere una forma, qui una vuota</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>an envelope must have a shape, got nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve avere una forma, qui nulla</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>an envelope must have a shape, got {} without one</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve avere una forma, qui {} senza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must have a volume greater than 0 mm3, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>un involucro deve avere un volume maggiore di 0 mm3, qui {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>an equation must have n &gt;= 0 and k &gt;= 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un'equazione deve avere n &gt;= 0 e k &gt;= 1, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -2575,7 +2590,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
         <source>an example must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un esempio deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -2605,22 +2620,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>areas must be given along X, Y and Z, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le aree devono essere date lungo X, Y e Z, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>areas must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le aree devono essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>come estratta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>gli assi di una tessitura devono essere tre versori ortogonali, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -2630,7 +2645,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
         <source>best layers</source>
-        <translation type="unfinished"></translation>
+        <translation>strati migliori</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
@@ -2660,7 +2675,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>bounds and sum must not be negative, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>limiti e somma non devono essere negativi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
@@ -2695,7 +2710,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>cell ({}, {}) is {}, beyond its bound {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la cella ({}, {}) è {}, oltre il suo limite {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -2720,7 +2735,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>choice of the convergence point</source>
-        <translation type="unfinished"></translation>
+        <translation>la scelta del punto di convergenza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2750,7 +2765,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>co-ordinates of triangles must be finite, got nan or infinite mm</source>
-        <translation type="unfinished"></translation>
+        <translation>le coordinate dei triangoli devono essere finite, qui nan o infinito mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2760,7 +2775,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>contatti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2775,12 +2790,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
         <source>counting layers</source>
-        <translation type="unfinished"></translation>
+        <translation>conteggio degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_tables.py"/>
         <source>counting tables</source>
-        <translation type="unfinished"></translation>
+        <translation>conteggio delle tabelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -2795,7 +2810,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>d1 and d2 must differ by at least 1 degree on the face, got {} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>d1 e d2 devono differire di almeno 1 grado sulla faccia, qui {} gradi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2810,32 +2825,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>densities must be 0 to 1, got {} in layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le densità devono stare da 0 a 1, qui {} nello strato {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>designs are counted in boxes, not in, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i progetti si contano in parallelepipedi, non in, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>designs are searched for exhaustively up to {} cells, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i progetti si cercano esaustivamente fino a {} celle, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>designs must have one shape and solid voxels, got shapes {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i progetti devono avere una sola forma e voxel pieni, qui le forme {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>designs with these counts (entropy)</source>
-        <translation type="unfinished"></translation>
+        <translation>progetti con questi conteggi (entropia)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>designs with this design's tables</source>
-        <translation type="unfinished"></translation>
+        <translation>progetti con le tabelle di questo progetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2865,7 +2880,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>drawing {}</source>
-        <translation type="unfinished"></translation>
+        <translation>disegno di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/profiles.py"/>
@@ -2880,12 +2895,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
         <source>each point of a face must be used by its triangles; a border crosses itself</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni punto di una faccia deve essere usato dai suoi triangoli; un bordo si incrocia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>each variable must have two bounds, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni variabile deve avere due limiti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -2896,7 +2911,7 @@
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -2906,12 +2921,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: the computation broke off; the report view says where</source>
-        <translation type="unfinished"></translation>
+        <translation>errore: il calcolo si è interrotto; il rapporto dice dove</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>errore: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -2921,7 +2936,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>every cavity must lie in a body, but {} of {} lie in none: the mesh is inside out or crosses itself</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni cavità deve stare in un corpo, ma {} su {} non stanno in nessuno: la mesh è rovesciata o si incrocia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2931,52 +2946,52 @@
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>every face must be named once, got {} again in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni faccia deve essere nominata una volta, qui {} di nuovo in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
         <source>every layer must have its count in one part without closed cavities; after {} flips {} layers are off by {} voxels together, layer {} along {} by {}; another seed, fewer restrictions or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni strato deve avere il suo conteggio in una parte senza cavità chiuse; dopo {} scambi {} strati sbagliano di {} voxel insieme, lo strato {} lungo {} di {}; un altro seme, meno vincoli o voxel più piccoli possono bastare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
         <source>every layer must have its count of voxels; {} layers differ: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ogni strato deve avere il suo conteggio di voxel; {} strati differiscono: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
         <source>exact moves</source>
-        <translation type="unfinished"></translation>
+        <translation>scambi esatti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>exact slices</source>
-        <translation type="unfinished"></translation>
+        <translation>fette esatte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>exact slices are those of a solid, got a file</source>
-        <translation type="unfinished"></translation>
+        <translation>le fette esatte sono quelle di un solido, qui un file</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>exact slices are those of a solid, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le fette esatte sono quelle di un solido, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>face sites</source>
-        <translation type="unfinished"></translation>
+        <translation>siti della faccia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>failed and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>fallite ed escluse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>failed, left out</source>
-        <translation type="unfinished"></translation>
+        <translation>fallita, esclusa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -3002,7 +3017,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle date richiedono una strategia che riempia gli strati da esse ({}), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3032,22 +3047,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le immagini devono essere del tipo {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
-        <translation type="unfinished"></translation>
+        <translation>isole</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>it must name a site of face {}, which has {} sites</source>
-        <translation type="unfinished"></translation>
+        <translation>deve nominare un sito della faccia {}, che ha {} siti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>it must name a site of one of the faces {}</source>
-        <translation type="unfinished"></translation>
+        <translation>deve nominare un sito di una delle facce {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -3057,7 +3072,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>its face, {} so far, is now Face{} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la sua faccia, finora {}, è ora Face{} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3078,6 +3093,11 @@
         <location filename="../../freecad_trabecula/core/analysis/neighbours.py"/>
         <source>joining the triangles</source>
         <translation>connessione dei triangoli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>joins the sites</source>
+        <translation>unisce i siti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3112,32 +3132,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>strato {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>layer {} along {} is empty between others: no design is one piece</source>
-        <translation type="unfinished"></translation>
+        <translation>lo strato {} lungo {} è vuoto tra altri: nessun progetto è in un solo pezzo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
         <source>layer {} along {}: {} for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>strato {} lungo {}: {} per {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>layer {} as solids must hold the {} mm3 of its voxels, the kernel gives {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>lo strato {} come solidi deve contenere i {} mm3 dei suoi voxel, il nucleo dà {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>layers</source>
-        <translation type="unfinished"></translation>
+        <translation>strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>layers as solids</source>
-        <translation type="unfinished"></translation>
+        <translation>strati come solidi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -3162,22 +3182,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>strati {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>leave the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>escono dall'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>leaves the envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>esce dall'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
-        <translation type="unfinished"></translation>
+        <translation>livellamento delle tabelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3242,7 +3262,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/recovery.py"/>
         <source>mending: {}, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>riparazione: {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -3258,7 +3278,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>mix of sheets and rods must be 0 to 4, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la mistura di lamine e aste deve stare da 0 a 4, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -3278,12 +3298,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must be finite</source>
-        <translation type="unfinished"></translation>
+        <translation>devono essere finiti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must be whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>devono essere numeri interi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -3293,13 +3313,13 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>must not be larger than its layer</source>
-        <translation type="unfinished"></translation>
+        <translation>non deve essere maggiore del suo strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>must not be negative</source>
-        <translation type="unfinished"></translation>
+        <translation>non devono essere negativi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3309,72 +3329,72 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>no design has these counts: no set of layers contradicts another by itself, but a search of all designs found none</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun progetto ha questi conteggi: nessun insieme di strati ne contraddice da solo un altro, ma la ricerca di tutti i progetti non ne ha trovati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>no error</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun errore</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
         <source>no field was tried</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun campo è stato provato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
         <source>no layer has these {} voxels in columns and {} in rows</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuno strato ha questi {} voxel in colonne e {} in righe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>no pair of tables was found within the mask in {} tries{}; strategy trabecular, which needs no tables, may find a design</source>
-        <translation type="unfinished"></translation>
+        <translation>nella maschera non si è trovata una coppia di tabelle in {} tentativi{}; la strategia trabecolare, che non richiede tabelle, può trovare un progetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>no part with {} voxels was found in the field</source>
-        <translation type="unfinished"></translation>
+        <translation>nel campo non si è trovata una parte con {} voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>no point of the face's surface lies near ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun punto della superficie della faccia è vicino a ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuna forma</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>no solid of patches: {} mm3 against {} of the mesh; then </source>
-        <translation type="unfinished"></translation>
+        <translation>nessun solido di toppe: {} mm3 contro {} della mesh; poi </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>no solid of patches: {}; then </source>
-        <translation type="unfinished"></translation>
+        <translation>nessun solido di toppe: {}; poi </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>no table has these sums: columns {} ask for {}, and the rows can give them {}{}</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuna tabella ha queste somme: le colonne {} chiedono {}, e le righe possono darne {}{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuna di {} coppie di tabelle era compatibile; l'abbinamento 'constraint' le trova per costruzione, e massimi minori le rendono più probabili</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>none of {} points tried lies inside the face of {} mm2</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuno di {} punti provati sta nella faccia di {} mm2</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>nothing is left of the envelope: the rods fill it</source>
-        <translation type="unfinished"></translation>
+        <translation>dell'involucro non resta nulla: le aste lo riempiono</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3384,12 +3404,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
-        <translation type="unfinished"></translation>
+        <translation>i numeri di trabecole lungo {} richiedono un campione, o obiettivi che li contengano; qui nessuno dei due</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
         <source>offsets</source>
-        <translation type="unfinished"></translation>
+        <translation>scostamenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
@@ -3399,17 +3419,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>one part</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/trabecular.py"/>
         <source>one part needs voxels in every layer between its first and last; along {} layers {} and {} are asked for {} and {} voxels, and {} between them for none</source>
-        <translation type="unfinished"></translation>
+        <translation>una sola parte richiede voxel in ogni strato tra il primo e l'ultimo; lungo {} agli strati {} e {} ne sono chiesti {} e {}, e tra essi a {} nessuno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>one solid of {} must be chosen as the envelope: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>un solido di {} deve essere scelto come involucro: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -3429,7 +3449,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>out of date: update it</source>
-        <translation type="unfinished"></translation>
+        <translation>non aggiornato: aggiornarlo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -3439,7 +3459,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
-        <translation type="unfinished"></translation>
+        <translation>contorni degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3464,7 +3484,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>pairing 'repeat' fills boxes only; pairing 'constraint' works within a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>l'abbinamento 'repeat' riempie solo parallelepipedi; 'constraint' lavora in una maschera</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3474,7 +3494,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>pasted: recompute the document</source>
-        <translation type="unfinished"></translation>
+        <translation>incollato: ricalcolare il documento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3494,17 +3514,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i piani devono crescere, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>plots must be one of {}, none, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i grafici devono essere uno di {}, none, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>points along {} must lie apart by at least {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i punti lungo {} devono distare almeno {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3539,17 +3559,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>porosità lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>porosity {} % by the {} engine</source>
-        <translation type="unfinished"></translation>
+        <translation>porosità {} %, metodo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>porosity {} %, {} rods cut; solid and mesh differ by {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>porosità {} %, {} aste tagliate; solido e mesh differiscono del {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3560,37 +3580,37 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/random_layers.py"/>
         <source>random tables; each layer drawn nearly uniformly from all that have these row and column sums</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle casuali; ogni strato estratto quasi uniformemente tra tutti quelli con queste somme di righe e colonne</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/sequential.py"/>
         <source>random tables; in each layer line after line, into the lines that need most (thesis case 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle casuali; in ogni strato una linea dopo l'altra, nelle linee che richiedono di più (tesi caso 2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/minimum_zeros.py"/>
         <source>random tables; in each layer the shortest line first, into the lines that need most (thesis case 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle casuali; in ogni strato prima la linea più corta, nelle linee che richiedono di più (tesi caso 1)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/best_tables.py"/>
         <source>random tables; of all layers that they allow the one that is highest on the chosen field (linear program)</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle casuali; di tutti gli strati che ammettono quello più alto nel campo scelto (programma lineare)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>rates of compatible tables</source>
-        <translation type="unfinished"></translation>
+        <translation>quote di tabelle compatibili</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>rays need closed meshes: each ray must leave as often as it enters; {} rays do not</source>
-        <translation type="unfinished"></translation>
+        <translation>i raggi richiedono mesh chiuse: ogni raggio deve uscire quante volte entra; {} raggi non lo fanno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>rays per direction must be &gt;= 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i raggi per direzione devono essere &gt;= 1, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -3601,7 +3621,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>redraws must lie in 0..100, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le ripetizioni devono stare in 0..100, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3616,22 +3636,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>resolved (outside any block of 2 x 2 x 2 voxels): </source>
-        <translation type="unfinished"></translation>
+        <translation>risolte (fuori da ogni blocco di 2 x 2 x 2 voxel): </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): </source>
-        <translation type="unfinished"></translation>
+        <translation>risolte ({} % di esso sta fuori da ogni blocco di 2 x 2 x 2 voxel): </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>results must be numbers, texts, arrays or records of them, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i risultati devono essere numeri, testi, matrici o record di essi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>results must be of classes of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i risultati devono essere di classi di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -3641,12 +3661,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>rods are coloured by one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le aste si colorano secondo uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>rods made, of those that were coupled</source>
-        <translation type="unfinished"></translation>
+        <translation>aste fatte, di quelle accoppiate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
@@ -3661,7 +3681,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>row sums and column sums must agree, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>somme di righe e colonne devono accordarsi, qui {} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3691,18 +3711,18 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>scatter of the corners</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersione dei vertici</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
-        <translation type="unfinished"></translation>
+        <translation>cuciture dei canali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sections per rod must be 1 or 2, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le sezioni per asta devono essere 1 o 2, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3727,12 +3747,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>site ({}, {}) came to lie outside its face, a line of which crossed the border unnoticed</source>
-        <translation type="unfinished"></translation>
+        <translation>il sito ({}, {}) è finito fuori dalla sua faccia, una linea della quale ha passato il bordo senza avviso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sites along {} must be at least 2 (Eq. 2.1 divides by n - 1), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i siti lungo {} devono essere almeno 2 (Eq. 2.1 divide per n - 1), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
@@ -3740,7 +3760,7 @@
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>sites on {}</source>
-        <translation type="unfinished"></translation>
+        <translation>siti su {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -3750,12 +3770,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>sliced areas</source>
-        <translation type="unfinished"></translation>
+        <translation>aree delle fette</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>sliced areas {}, got {} mm² in layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le aree di fetta {}, qui {} mm² nello strato {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
@@ -3770,42 +3790,42 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>lisciatura</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>solid and mesh of a rod must agree within {} % of its volume, got {} and {} mm^3 for rod {} and {} such rods in all</source>
-        <translation type="unfinished"></translation>
+        <translation>solido e mesh di un'asta devono accordarsi entro {} % del suo volume, qui {} e {} mm^3 per l'asta {} e {} aste così in tutto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid and mesh of the scaffold must agree within {}, got {} and {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>solido e mesh dello scaffold devono accordarsi entro {}, qui {} e {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>solid must be at least {} and void {} voxels thick; of {} solid ones {} and of the void {} stayed thinner; longer waves or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>il solido deve essere spesso almeno {} e il vuoto {} voxel; di {} pieni {} e del vuoto {} sono rimasti più sottili; onde più lunghe o voxel più piccoli possono bastare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>solid of patches</source>
-        <translation type="unfinished"></translation>
+        <translation>solido di toppe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>solido: asta {}{} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>solids of rods</source>
-        <translation type="unfinished"></translation>
+        <translation>solidi delle aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>spacing={} unit=mm</source>
-        <translation type="unfinished"></translation>
+        <translation>spacing={} unit=mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3820,39 +3840,39 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>surface of the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
         <source>table {} must have {} x {} cells for these targets, got {}: its tables were given for another sample or voxel size</source>
-        <translation type="unfinished"></translation>
+        <translation>la tabella {} deve avere {} x {} celle per questi obiettivi, qui {}: le sue tabelle sono state date per un altro campione o lato dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>table {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>tables</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>tables alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle alpha</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>tables beta</source>
-        <translation type="unfinished"></translation>
+        <translation>tabelle beta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>tables within a mask need scipy 1.6 or later: pip install scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>le tabelle in una maschera richiedono scipy 1.6 o successivo: pip install scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3867,17 +3887,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>tangent pull</source>
-        <translation type="unfinished"></translation>
+        <translation>tiro della tangente</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
         <source>targets of {} layers do not fit a field of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>obiettivi di {} strati non si accordano con un campo di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the B-Rep engine makes no compact layers, got {} faces with a layer: use the mesh engine</source>
-        <translation type="unfinished"></translation>
+        <translation>il metodo B-Rep non fa strati compatti, qui {} facce con uno strato: usare il metodo a mesh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -3899,17 +3919,17 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>the axis must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'asse deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>the axis of rays must be 0, 1 or 2, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'asse dei raggi deve essere 0, 1 o 2, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
         <source>the best layer of given tables needs scipy 1.6 or later: pip install scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>il miglior strato per tabelle date richiede scipy 1.6 o successivo: pip install scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3919,27 +3939,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the border distance {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la distanza dal bordo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
         <source>the border of a face must not cross itself, nor run through a point of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>il bordo di una faccia non deve incrociarsi né passare per un proprio punto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>the box of drawn curves must have three edges, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il parallelepipedo delle curve disegnate deve avere tre lati, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>the cap on {} must be at least {}, got {}: {} ask for {} voxels, and the layers along Z can give them {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il massimo per {} deve essere almeno {}, qui {}: {} chiedono {} voxel, e gli strati lungo Z possono darne loro {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the cell must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la cella deve essere maggiore di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
@@ -3954,12 +3974,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the change of a site</source>
-        <translation type="unfinished"></translation>
+        <translation>la modifica di un sito</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>i canali devono lasciare del materiale, qui 0 mm3 di scaffold: le aste riempiono tutto l'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3969,38 +3989,38 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the correction must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la correzione deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the counts along {} must be a list, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i conteggi lungo {} devono essere una lista, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the counts along {} must be numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i conteggi lungo {} devono essere numeri, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the deflection</source>
-        <translation type="unfinished"></translation>
+        <translation>lo scostamento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the deflection must be 0 mm or more, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>lo scostamento deve essere 0 mm o più, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/envelope_sources.py"/>
         <source>the density of an envelope must lie between 0 and 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la densità di un involucro deve stare tra 0 e 1, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the direction must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la direzione deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -4015,22 +4035,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the direction {} must not be zero, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la direzione {} non deve essere nulla, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
-        <translation type="unfinished"></translation>
+        <translation>il documento deve avere il corpo {}, qui nessuno in {}: aprire prima il documento che lo contiene, o dare questo nome a uno proprio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>the edges of a drawn box must be above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i lati di un parallelepipedo disegnato devono superare 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the engine</source>
-        <translation type="unfinished"></translation>
+        <translation>il metodo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4043,12 +4063,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the envelope is only {} mm large: was its file in metres or inches, not mm?</source>
-        <translation type="unfinished"></translation>
+        <translation>l'involucro è di soli {} mm: il suo file era in metri o pollici, non mm?</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the envelope is {} mm large: was its file in micrometres, not mm?</source>
-        <translation type="unfinished"></translation>
+        <translation>l'involucro è di {} mm: il suo file era in micrometri, non mm?</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
@@ -4063,7 +4083,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the envelope's triangles are the kernel's and may differ between versions of FreeCAD: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli dell'involucro sono del nucleo e possono differire tra versioni di FreeCAD: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
@@ -4088,12 +4108,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>the face has no normal at ({}) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>la faccia non ha normale in ({}) mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the faces of an IGES file must bound a closed body; these {} do not, with gaps up to {} mm closed (a STEP file keeps solids)</source>
-        <translation type="unfinished"></translation>
+        <translation>le facce di un file IGES devono limitare un corpo chiuso; queste {} non lo fanno, con lacune fino a {} mm chiuse (un file STEP conserva i solidi)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -4103,52 +4123,52 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/chosen_fields.py"/>
         <source>the field must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il campo deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must be readable, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il file di un involucro deve essere leggibile, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must end in one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il file di un involucro deve finire in uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must hold a mesh, but {} cannot be read as one</source>
-        <translation type="unfinished"></translation>
+        <translation>il file di un involucro deve contenere una mesh, ma {} non si può leggere come tale</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must hold a shape, but {} cannot be read as one</source>
-        <translation type="unfinished"></translation>
+        <translation>il file di un involucro deve contenere una forma, ma {} non si può leggere come tale</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the file of an envelope must hold a shape, got none in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il file di un involucro deve contenere una forma, qui nessuna in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>the file {} could not be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il file {} non si è potuto leggere: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>the file's extension must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'estensione del file deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>the folder {} could not be made: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la cartella {} non si è potuta creare: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/results.py"/>
         <source>the folder {} must hold results that were written to the end: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la cartella {} deve contenere risultati scritti fino in fondo: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -4158,12 +4178,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the greatest number of rods of a coupling must be 0 (all) or more, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il massimo numero di aste di un accoppiamento deve essere 0 (tutte) o più, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>the images of {} must be of one kind, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le immagini di {} devono essere di un solo tipo, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -4173,57 +4193,57 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
         <source>the kernel could not read a shape of {} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo non ha potuto leggere una forma di {} caratteri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/brep_text.py"/>
         <source>the kernel could not read a shape of {} characters: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo non ha potuto leggere una forma di {} caratteri: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the kernel cuts rod {} wrongly in every way tried</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo taglia male l'asta {} in ogni modo provato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>the kernel made no solid of {} triangles: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo non ha fatto un solido da {} triangoli: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/cutting.py"/>
         <source>the kernel made no triangles of a face at a deflection of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo non ha fatto triangoli di una faccia con uno scostamento di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the kernel made no triangles of a solid at a deflection of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo non ha fatto triangoli di un solido con uno scostamento di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>the kernel refused it</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo l'ha rifiutato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/file_sizes.py"/>
         <source>the kind must be one of npy, nrrd, vti, png, bmp, tiff, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il tipo deve essere uno di npy, nrrd, vti, png, bmp, tiff, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the layers along X, Y and Z must ask for the same total, got {}, {} and {} voxels: X - Z = {}, Y - Z = {}</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati lungo X, Y e Z devono chiedere lo stesso totale, qui {}, {} e {} voxel: X - Z = {}, Y - Z = {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the layers contradict each other; count {}</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati si contraddicono; contando {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the lean</source>
-        <translation type="unfinished"></translation>
+        <translation>l'inclinazione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -4233,42 +4253,42 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>the mask must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la maschera deve avere la forma {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>the mask's layers along {} have {} cells, but the common total is {}</source>
-        <translation type="unfinished"></translation>
+        <translation>gli strati della maschera lungo {} hanno {} celle, ma il totale comune è {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the memory budget</source>
-        <translation type="unfinished"></translation>
+        <translation>il limite di memoria</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the memory budget of {} GB is used up ({} GB)</source>
-        <translation type="unfinished"></translation>
+        <translation>il limite di memoria di {} GB è esaurito ({} GB)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
         <source>the mesh kernel must hold a closed mesh, got an open one of {} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo delle mesh deve contenere una mesh chiusa, qui una aperta di {} triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
         <source>the mesh kernel must hold {} vertices and {} triangles, got {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il nucleo delle mesh deve contenere {} vertici e {} triangoli, qui {} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the mesh must be closed and hold the {} mm3 of its voxels, got {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesh deve essere chiusa e contenere i {} mm3 dei suoi voxel, qui {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
         <source>the mesh was inside out; its triangles have been turned round</source>
-        <translation type="unfinished"></translation>
+        <translation>la mesh era rovesciata; i suoi triangoli sono stati girati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -4299,42 +4319,42 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the order must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'ordine deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>the origin on face {}</source>
-        <translation type="unfinished"></translation>
+        <translation>l'origine sulla faccia {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>the pixels of {} must have a pitch: none stands in the images, and none was given</source>
-        <translation type="unfinished"></translation>
+        <translation>i pixel di {} devono avere un passo: non sta nelle immagini, e non è stato dato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>the plane at {} mm along {} could not be cut: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il piano a {} mm lungo {} non si è potuto tagliare: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pores.py"/>
         <source>the pore at {} takes {} tangent components, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il poro in {} richiede {} componenti delle tangenti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>the porosity of slices along {} is that of an analysis of {}, got none: analyse it first</source>
-        <translation type="unfinished"></translation>
+        <translation>la porosità delle fette lungo {} è quella di un'analisi di {}, qui nessuna: analizzarlo prima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
         <source>the prism of a job has a corner at the origin and its edges along X, Y, Z: the box's placement must be the identity, got {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il prisma di un lavoro ha un vertice nell'origine e i lati lungo X, Y, Z: il posizionamento del parallelepipedo deve essere l'identità, qui {} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the prism's edge along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il lato del prisma lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -4349,42 +4369,42 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le passate di lisciatura devono essere 0 o più, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
-        <translation type="unfinished"></translation>
+        <translation>lo spessore medio del campione è {} voxel; sotto {} le sue aste non sono </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i voxel del campione devono avere la forma {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the search for a design gave up after {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>la ricerca di un progetto si è arresa dopo {} s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the search for a design needs scipy 1.9 or later: pip install scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>la ricerca di un progetto richiede scipy 1.9 o successivo: pip install scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the seed must lie in 0..{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il seme deve stare in 0..{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the short name of a face must hold no dot, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il nome breve di una faccia non deve contenere punti, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the side of a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>il lato di uno strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
@@ -4394,22 +4414,22 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>the sites {} lost their face {}: {} has Face1..Face{}; choose another face</source>
-        <translation type="unfinished"></translation>
+        <translation>i siti {} hanno perso la loro faccia {}: {} ha Face1..Face{}; scegliere un'altra faccia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>the sites {} must be on faces of {}, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>i siti {} devono stare su facce di {}, qui nessuna</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>the sites {} must be on faces of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i siti {} devono stare su facce di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the size of the pore at {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la dimensione del poro in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -4419,22 +4439,22 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the solid must be one of Solid1..Solid{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il solido deve essere uno di Solid1..Solid{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the solid was inside out (volume {} mm3) and has been turned</source>
-        <translation type="unfinished"></translation>
+        <translation>il solido era rovesciato (volume {} mm3) ed è stato girato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the solid was invalid ({}) and has been mended</source>
-        <translation type="unfinished"></translation>
+        <translation>il solido non era valido ({}) ed è stato riparato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>the solver must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il metodo di soluzione deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
@@ -4444,47 +4464,47 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the spacing {} must be greater than 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il passo {} deve essere maggiore di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the stations of a rod must lie in 3..33, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le stazioni di un'asta devono stare in 3..33, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/registry.py"/>
         <source>the strategy must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la strategia deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the surface must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la superficie deve essere una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>the table must have {} rows and {} columns, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la tabella deve avere {} righe e {} colonne, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels have these sums in columns and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>le tabelle non sono compatibili nello strato {} lungo Z, e in {} strati in tutto: nessun voxel ha queste somme in colonne e righe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>the tables are not compatible in layer {} along Z, and {} layers in all: no voxels within the mask have these sums in columns and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>le tabelle non sono compatibili nello strato {} lungo Z, e in {} strati in tutto: nessun voxel nella maschera ha queste somme in colonne e righe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>the tables are not compatible: no layer {} along Z has these {} voxels in columns and {} in rows; {} of {} layers fail</source>
-        <translation type="unfinished"></translation>
+        <translation>le tabelle non sono compatibili: nessuno strato {} lungo Z ha questi {} voxel in colonne e {} in righe; {} strati su {} falliscono</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/tasks.py"/>
         <source>the task could not be written into {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il compito non si è potuto scrivere in {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
@@ -4505,17 +4525,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the time budget</source>
-        <translation type="unfinished"></translation>
+        <translation>il limite di tempo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the time budget of {} s is used up</source>
-        <translation type="unfinished"></translation>
+        <translation>il limite di tempo di {} s è esaurito</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the total must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il totale deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/layers.py"/>
@@ -4525,12 +4545,12 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the triangles of a solid</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli di un solido</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/tessellation.py"/>
         <source>the triangles' volume must be the solid's to {} mm3 (deflection times area), got {} against {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>il volume dei triangoli deve essere quello del solido entro {} mm3 (scostamento per area), qui {} contro {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -4560,32 +4580,32 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>the voxel size</source>
-        <translation type="unfinished"></translation>
+        <translation>il lato dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>the wavelength</source>
-        <translation type="unfinished"></translation>
+        <translation>la lunghezza d'onda</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>the window must not wait</source>
-        <translation type="unfinished"></translation>
+        <translation>la finestra non deve aspettare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>the {} of a box must be greater than 0 mm, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{} di un parallelepipedo deve essere maggiore di 0 mm, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>the {} of {} and {} must leave some volume, got 0 mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>{} di {} e {} deve lasciare un volume, qui 0 mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>the {}{} fullest columns ask for {}, and the rows can give them {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le {}{} colonne più piene chiedono {}, e le righe possono darne {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -4610,7 +4630,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>there must be a file or folder of that name, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>deve esistere un file o una cartella con quel nome, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -4620,12 +4640,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>there must be no contacts by an edge alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>non devono esserci contatti per solo spigolo, ma di {} contatti {}{} non si sono potuti togliere senza dividere il solido o chiudere una cavità; un altro seme o voxel più piccoli possono bastare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>there must be no contacts by an edge or a corner alone, but of {} contacts {}{} could not be removed without splitting the solid or closing a cavity; another seed or smaller voxels may do</source>
-        <translation type="unfinished"></translation>
+        <translation>non devono esserci contatti per solo spigolo o vertice, ma di {} contatti {}{} non si sono potuti togliere senza dividere il solido o chiudere una cavità; un altro seme o voxel più piccoli possono bastare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
@@ -4640,12 +4660,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
         <source>thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>spessore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/path_laws.py"/>
+        <source>through a random point of a box about it (Eq. 3.1)</source>
+        <translation>per un punto casuale di un parallelepipedo attorno ad esso (Eq. 3.1)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>per {} il sito {} serve un punto, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4655,12 +4680,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>trabeculae</source>
-        <translation type="unfinished"></translation>
+        <translation>trabecole</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>trabeculae along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>trabecole lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4690,12 +4715,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/plane_triangles.py"/>
         <source>triangles between trimmed borders need the Python package scipy</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli tra bordi tagliati richiedono il pacchetto Python scipy</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -4705,7 +4730,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>triangles must lie within {} mm of a face, got {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli devono stare entro {} mm da una faccia, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -4715,22 +4740,22 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>triangles of a face must not fold over</source>
-        <translation type="unfinished"></translation>
+        <translation>i triangoli di una faccia non devono ripiegarsi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>triangles of solids</source>
-        <translation type="unfinished"></translation>
+        <translation>triangoli dei solidi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>triangles of the body</source>
-        <translation type="unfinished"></translation>
+        <translation>triangoli del corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>vero o falso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4740,7 +4765,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>two independent routes must agree, but they do not: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>due vie indipendenti devono accordarsi, ma non lo fanno: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -4770,7 +4795,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>aggiornato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4780,7 +4805,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>verification</source>
-        <translation type="unfinished"></translation>
+        <translation>verifica</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -4800,17 +4825,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>volume della mesh e dei voxel, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the rods, solids against meshes, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>volume delle aste, solidi contro mesh, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>volume dello scaffold, solido contro mesh, mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4820,12 +4845,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>voxel counts {}, got {} in layer {} along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i conteggi di voxel {}, qui {} nello strato {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/report.py"/>
         <source>voxel design</source>
-        <translation type="unfinished"></translation>
+        <translation>progetto a voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -4840,17 +4865,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>voxels must be as large as the layers of the sample, {} mm along {}, got {} mm, which makes {} layers of the sample's {}: slice it again with layers of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>i voxel devono essere grandi quanto gli strati del campione, {} mm lungo {}, qui {} mm, che fanno {} strati dei {} del campione: affettarlo di nuovo in strati di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>voxels of {} mm would resolve them</source>
-        <translation type="unfinished"></translation>
+        <translation>voxel di {} mm le risolverebbero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/by_field.py"/>
         <source>voxels where the chosen field is highest, as nearly as the counts of the layers allow</source>
-        <translation type="unfinished"></translation>
+        <translation>voxel dove il campo scelto è più alto, per quanto lo consentono i conteggi degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4860,27 +4885,27 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
         <source>wavelengths</source>
-        <translation type="unfinished"></translation>
+        <translation>lunghezze d'onda</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>wavelengths must be three lengths above 2 voxels, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le lunghezze d'onda devono essere tre lunghezze oltre 2 voxel, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>what a document holds must be a value of this version: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ciò che un documento contiene deve essere un valore di questa versione: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>what is sliced must be a mesh or have a solid, got {} without</source>
-        <translation type="unfinished"></translation>
+        <translation>ciò che si affetta deve essere una mesh o avere un solido, qui {} senza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>what is sliced must have triangles, got none in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ciò che si affetta deve avere triangoli, qui nessuno in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/guides.py"/>
@@ -4891,7 +4916,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>width of a texture must be 0.02 to 1, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>la larghezza di una tessitura deve stare da 0.02 a 1, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -4902,12 +4927,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>within the mask</source>
-        <translation type="unfinished"></translation>
+        <translation>nella maschera</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>within the mask layer {} along {} holds {} voxels, but is asked for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>nella maschera lo strato {} lungo {} contiene {} voxel, ma ne sono chiesti {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
@@ -4929,7 +4954,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>{} % of it lie </source>
-        <translation type="unfinished"></translation>
+        <translation>{} % di esso sta </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -4939,7 +4964,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{} (the zero vector)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (il vettore nullo)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4954,7 +4979,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} and {} layers of {} and {} voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>{} e {} strati di {} e {} voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4964,12 +4989,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>{} ask for {} voxels together, but the layers along {} leave them at most {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} chiedono {} voxel insieme, ma gli strati lungo {} ne lasciano loro al più {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>{} ask for {} voxels together, each voxel counted in every such layer it lies in; {} voxels give them at most {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} chiedono {} voxel insieme, ogni voxel contato in ciascuno dei suoi strati; {} voxel ne danno loro al più {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4979,43 +5004,43 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>{} can be coloured by one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} si può colorare secondo uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} changes by hand do not</source>
-        <translation type="unfinished"></translation>
+        <translation>{} modifiche a mano non lo fanno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} changes by hand do not fit the design: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} modifiche a mano non si accordano col progetto: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>{} could not be computed: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto calcolare: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} could not be read as CSV: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto leggere come CSV: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} could not be read as JSON: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto leggere come JSON: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} could not be read as XLSX: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto leggere come XLSX: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} could not be read: there is no such file or folder</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto leggere: non esiste un tale file o cartella</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5030,18 +5055,18 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>{} could not be written into {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto scrivere in {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>{} could not be written whole: is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto scrivere per intero: il disco è pieno?</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
         <source>{} could not be written: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non si è potuto scrivere: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -5056,17 +5081,17 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>{} faces were sewn to a solid, gaps up to {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{} facce sono state cucite in un solido, lacune fino a {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} has no key {}; known are {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} non ha la chiave {}; sono note {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} have {} cells for them, and </source>
-        <translation type="unfinished"></translation>
+        <translation>{} hanno {} celle per essi, e </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5096,12 +5121,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>{} layers of {} voxels cannot hold {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} strati di {} voxel non possono contenerne {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>{} mm, {} mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>{} mm, {} mm3</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5136,7 +5161,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} must be a flat image, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere un'immagine piana, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5157,17 +5182,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must be a number a computer can hold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere un numero che un calcolatore può contenere, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must be a whole NPY file of numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere un file NPY intero di numeri: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} must be an image that can be read: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere un'immagine leggibile: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5190,17 +5215,17 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} must be computed anew: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere ricalcolato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>{} must be computed before its rods are coloured, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere calcolato prima di colorarne le aste, stato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be finite, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere finito, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5210,37 +5235,37 @@
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>{} must be linked to 1 face, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere collegato a 1 faccia, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/prism_sites.py"/>
         <source>{} must be linked to a box, got nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere collegato a un parallelepipedo, qui nulla</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/prism_sites.py"/>
         <source>{} must be linked to a box, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere collegato a un parallelepipedo, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>{} must be linked to a scaffold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere collegato a uno scaffold, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>{} must be linked to a wireframe, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere collegato a un reticolo, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} must be made of curves to get others, it follows another sample</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere fatto di curve per averne altre, segue un altro campione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>{} must be one number or three, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere di un numero o di tre, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5257,27 +5282,27 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} must be up to date for its contours, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere aggiornato per i suoi contorni, stato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>{} must be up to date to be saved, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere aggiornato per essere salvato, stato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must be up to date to be written: update it first</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere aggiornato per essere scritto: aggiornarlo prima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>{} must be without error to be written as a script, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere senza errori per essere scritto come script, stato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must be without error to be written, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere senza errori per essere scritto, stato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>
@@ -5288,52 +5313,52 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must begin with NRRD000, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve cominciare con NRRD000, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must give the sizes of its voxels (spacings or space directions)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve dare le dimensioni dei suoi voxel (spacings o space directions)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must have a column {}; it has, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere una colonna {}; ha, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must have a line of names and one for each layer, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere una riga di nomi e una per strato, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must have a mesh or a shape to be written, got neither</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere una mesh o una forma per essere scritto, qui nessuna delle due</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
         <source>{} must have a sample, a source, a file or drawn curves, got none</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere un campione, un corpo, un file o curve disegnate, qui nulla</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} must have a source or a file to be sliced, got neither</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere un corpo o un file da affettare, qui nessuno dei due</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>{} must have at least one rod, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere almeno un'asta, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>{} must have at least one solid, got a {} without one</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere almeno un solido, qui {} senza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>{} must have at least one solid, got no shape</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere almeno un solido, qui nessuna forma</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -5344,12 +5369,12 @@
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} must have been computed, got: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve essere stato calcolato, stato: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must have the layers 0, 1, ... along {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere gli strati 0, 1, ... lungo {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5359,7 +5384,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} must have the sheets alpha and beta; it has, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere i fogli alpha e beta; ha, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -5369,17 +5394,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/exports.py"/>
         <source>{} must have triangles to be written, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere triangoli per essere scritto, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>{} must have {} values, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve avere {} valori, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must hold an array of three axes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere una matrice a tre assi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/layer_analysis.py"/>
@@ -5394,17 +5419,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must hold finite numbers, got {} that are not</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere numeri finiti, qui {} che non lo sono</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>{} must hold images ({}), got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere immagini ({}), qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{} must hold numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere numeri, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5414,13 +5439,13 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{} must hold, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve contenere, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>{} must lie in 0..{}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve stare in 0..{}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -5431,7 +5456,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/face_sites.py"/>
         <source>{} must lie on it to {} mm, got a distance of {} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve starvi sopra entro {} mm, qui una distanza di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -5446,7 +5471,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>{} must show the rods of {}, got {}: update it</source>
-        <translation type="unfinished"></translation>
+        <translation>{} deve mostrare le aste di {}, qui {}: aggiornarlo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -5461,7 +5486,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of the body and the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>{} del corpo e dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5471,12 +5496,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of {} and {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} di {} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} pairs of pores overlap on face {}: pores must be smaller than their spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>{} coppie di pori si sovrappongono sulla faccia {}: i pori devono essere più piccoli del loro passo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -5486,12 +5511,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} parts</source>
-        <translation type="unfinished"></translation>
+        <translation>{} parti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>{} pores reach over the border of face {}: half their size must not exceed the distance from it</source>
-        <translation type="unfinished"></translation>
+        <translation>{} pori superano il bordo della faccia {}: metà della loro dimensione non deve superare la distanza da esso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -5501,22 +5526,22 @@
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>{} rods, {} mm^3 with overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>{} aste, {} mm^3 con sovrapposizioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>{} sites</source>
-        <translation type="unfinished"></translation>
+        <translation>{} siti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} fette, frazione ossea {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, {} of them spoilt, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} fette, {} guaste, frazione ossea {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5536,47 +5561,47 @@
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} voxels in one part, exact along X, Y and Z, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} voxel in una parte, esatti lungo X, Y e Z, frazione ossea {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>{} voxels in {} parts, exact along X, Y and Z, bone fraction {} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{} voxel in {} parti, esatti lungo X, Y e Z, frazione ossea {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/migrations.py"/>
         <source>{} was made by a later version of Trabecula: its schema must be at most {}, got {}; update Trabecula</source>
-        <translation type="unfinished"></translation>
+        <translation>{} è stato fatto da una versione successiva di Trabecula: il suo schema deve essere al più {}, qui {}; aggiornare Trabecula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>{} x {} x {} layers, {} cells: about {} GB of memory and {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{} x {} x {} strati, {} celle: circa {} GB di memoria e {} s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} {} ask for {} voxels together, but </source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} chiedono {} voxel insieme, ma </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} {} ask for {} voxels together, but the other layers along {} are asked for {} in all</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} chiedono {} voxel insieme, ma agli altri strati lungo {} ne sono chiesti {} in tutto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{} {} must be one JSON object, got {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} deve essere un oggetto JSON, qui {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>{} {} sums to {}, asked for {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} dà {}, richiesto {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>{} {} times</source>
-        <translation type="unfinished"></translation>
+        <translation>{} {} volte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5601,12 +5626,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, riga {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: a layer must stand there once, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, riga {}: uno strato deve starci una volta, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
@@ -5616,12 +5641,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: the axis must be x, y or z, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, riga {}: l'asse deve essere x, y o z, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un file STL binario ha almeno {}{} byte, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -5636,22 +5661,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{}: a table must have sums and cells, got rows, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: una tabella deve avere somme e celle, qui righe, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: a voxel must have three edges above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un voxel deve avere tre lati maggiori di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{}: all rows must have the same length, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: tutte le righe devono avere la stessa lunghezza, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: an ASCII STL file must end with 'endsolid'; this one is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un file STL ASCII deve finire con 'endsolid'; questo è troncato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -5661,7 +5686,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: an STL file must hold at least one triangle, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un file STL deve contenere almeno un triangolo, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5681,47 +5706,47 @@
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: co-ordinates must be finite; triangle {}{} of {} has {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le coordinate devono essere finite; il triangolo {}{} di {} ha {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: co-ordinates must be numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le coordinate devono essere numeri: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: direction in which a linear law grows</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: direzione in cui cresce una legge lineare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: each facet must have three vertices, got {} vertices in {} facets</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: ogni faccetta deve avere tre vertici, qui {} vertici in {} faccette</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{}: every sum and cell must be a whole number, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: ogni somma e cella deve essere un numero intero, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: formula of x, y, z (mm) and a random u in 0..1</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: formula di x, y, z (mm) e di un u casuale in 0..1</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: how it varies over the design</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: come varia nel progetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}: it must be a number, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: deve essere un numero, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}: its values must be lists of numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: i suoi valori devono essere liste di numeri: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
@@ -5746,17 +5771,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: sizes must be three numbers above 0, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le dimensioni devono essere tre numeri maggiori di 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: sizes must be whole numbers, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le dimensioni devono essere numeri interi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: spacings, directions and origin must be numbers: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: spacings, directions e origin devono essere numeri: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
@@ -5766,37 +5791,37 @@
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: the constant value, or the least; linear, radial: at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: il valore costante, o il minimo; lineare, radiale: all'inizio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>{}: the counts weigh {}, no design above {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: i conteggi pesano {}, nessun progetto oltre {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the data must stand in the file itself, not in a data file of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: i dati devono stare nel file stesso, non in un file di dati a parte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the encoding must be raw or gzip, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: la codifica deve essere raw o gzip, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: the file became shorter while it was read, at triangle {}{}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: il file si è accorciato durante la lettura, al triangolo {}{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{}: the greatest value; linear, radial: at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: il valore massimo; lineare, radiale: alla fine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the header must end with an empty line; the file is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: l'intestazione deve finire con una riga vuota; il file è troncato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/tables.py"/>
@@ -5806,17 +5831,17 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the packed data are damaged or cut off: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: i dati compressi sono danneggiati o troncati: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: the size of a binary STL file must be 84 + 50 bytes for each triangle; its header says {} triangles, {} bytes hold {} and {} bytes more</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: un file STL binario deve avere 84 + 50 byte per triangolo; la sua intestazione dice {} triangoli, {} byte ne contengono {} e {} byte in più</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: the type must be one of {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: il tipo deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -5851,7 +5876,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} x {} x {} valori di {} sono {} byte, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -5866,7 +5891,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>{}; {} sums or cells are wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; {} somme o celle sono errate</translation>
     </message>
 </context>
 <context>
@@ -5949,7 +5974,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>All sums are right and every layer can be filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutte le somme sono giuste e ogni strato si può riempire</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
@@ -5976,7 +6001,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>As they were</source>
-        <translation type="unfinished"></translation>
+        <translation>Com'erano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
@@ -5998,6 +6023,11 @@
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
         <source>Back</source>
         <translation>Indietro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Begin with</source>
+        <translation>Iniziare da</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6023,7 +6053,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Bone fraction</source>
-        <translation type="unfinished"></translation>
+        <translation>Frazione ossea</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/prism_section.py"/>
@@ -6038,7 +6068,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Both routes</source>
-        <translation type="unfinished"></translation>
+        <translation>Le due vie</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/paths_section.py"/>
@@ -6109,9 +6139,14 @@
         <translation>Cliccare le facce nella vista 3D; un secondo clic ne toglie una</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_view.py"/>
+        <source>Click for a new point, drag points, right click takes one away</source>
+        <translation>Cliccare per un nuovo punto, trascinare i punti, il clic destro ne toglie uno</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/task_panels.py"/>
@@ -6121,7 +6156,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Closed cavities</source>
-        <translation type="unfinished"></translation>
+        <translation>Cavità chiuse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6141,7 +6176,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Colour by</source>
-        <translation type="unfinished"></translation>
+        <translation>Colora per</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6166,7 +6201,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Connected parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Parti connesse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6186,12 +6221,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Contacts by a corner alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Contatti per solo vertice</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Contacts by an edge alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Contatti per solo spigolo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
@@ -6252,7 +6287,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Design with these</source>
-        <translation type="unfinished"></translation>
+        <translation>Progetta con queste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -6275,6 +6310,16 @@
         <translation>Direzione v</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Draw sliced areas</source>
+        <translation>Disegna le aree delle fette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>Draw the sliced areas along X, Y and Z, anew or from those of an analysis</source>
+        <translation>Disegnare le aree delle fette lungo X, Y e Z, da zero o da quelle di un'analisi</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <source>Earlier: its faces' sites are taken first</source>
         <translation>Prima: i siti delle sue facce sono presi per primi</translation>
@@ -6283,6 +6328,11 @@
         <location filename="../../freecad_trabecula/gui/prism_section.py"/>
         <source>Edge</source>
         <translation>Lato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Edges X, Y, Z</source>
+        <translation>Lati X, Y, Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
@@ -6309,7 +6359,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Exact on every layer of the three axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Esatto in ogni strato dei tre assi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
@@ -6395,7 +6445,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Formula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
@@ -6425,12 +6475,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Dare un significato ai colori; una legenda dice quale. Selezionare oggetti, o nulla per tutti quelli visibili</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Glass envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Involucro di vetro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/help_dock.py"/>
@@ -6485,7 +6535,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Layer along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Strato lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
@@ -6500,7 +6550,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Layers along X, Y, Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Strati lungo X, Y, Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -6542,12 +6592,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through</source>
-        <translation type="unfinished"></translation>
+        <translation>Trasparenza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through bodies and envelope. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardare attraverso corpi e involucro. Selezionare un progetto, o nulla per tutti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6562,7 +6612,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Mean deviation of the trabeculae, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Scarto medio delle trabecole, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6632,7 +6682,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>No voxels fill layer {} along Z; {} layers do not go</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun voxel riempie lo strato {} lungo Z; {} strati non riescono</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -6647,13 +6697,18 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>Numero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Numbers</source>
         <translation>Numeri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Off: share of the layer in %</source>
+        <translation>No: quota dello strato in %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6673,12 +6728,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>One step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Un passo indietro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>One step on</source>
-        <translation type="unfinished"></translation>
+        <translation>Un passo avanti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>One total</source>
+        <translation>Un solo totale</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6698,7 +6758,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordine</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -6799,7 +6859,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Plain colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Colori semplici</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6839,17 +6899,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along X</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosità delle fette lungo X</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosità delle fette lungo Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosità delle fette lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6890,6 +6950,11 @@
         <translation>Grandezza</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>Raise or lower the curves until all ask for the mean volume</source>
+        <translation>Alzare o abbassare le curve finché tutte chiedono il volume medio</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Range and heights</source>
         <translation>Intervallo e quote</translation>
@@ -6897,12 +6962,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Read tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Leggi tabelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Read …</source>
-        <translation type="unfinished"></translation>
+        <translation>Leggi …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
@@ -6969,7 +7034,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Rods by coupling</source>
-        <translation type="unfinished"></translation>
+        <translation>Aste per accoppiamento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -6979,12 +7044,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Rods by recovery</source>
-        <translation type="unfinished"></translation>
+        <translation>Aste per recupero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Rods by size</source>
-        <translation type="unfinished"></translation>
+        <translation>Aste per dimensione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7009,7 +7074,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Run on, or stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Proseguire, o fermare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
@@ -7096,7 +7161,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Second route</source>
-        <translation type="unfinished"></translation>
+        <translation>Seconda via</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
@@ -7132,7 +7197,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Share of the largest part</source>
-        <translation type="unfinished"></translation>
+        <translation>Quota della parte maggiore</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7142,12 +7207,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Show bodies in a clear envelope. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare i corpi in un involucro trasparente. Selezionare un progetto, o nulla per tutti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Show bodies solid, no envelope. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrare i corpi solidi, senza involucro. Selezionare un progetto, o nulla per tutti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7237,17 +7302,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Solido</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Solid voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel pieni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Fonte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
@@ -7272,7 +7337,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Step {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Passo {} di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7282,7 +7347,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Strategy {} makes voxels without tables; another strategy fills layers from edited ones</source>
-        <translation type="unfinished"></translation>
+        <translation>La strategia {} fa voxel senza tabelle; un'altra riempie strati da quelle modificate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7307,7 +7372,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Tables of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle di {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_saving.py"/>
@@ -7358,7 +7423,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>The design's own tables; cells can be edited, their sums must stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tabelle del progetto; le celle si possono cambiare, le loro somme devono restare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7374,6 +7439,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>The thesis' designs, to start from</source>
         <translation>I progetti della tesi, da cui partire</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>The totals differ; a design scales all curves to their mean, {} mm³</source>
+        <translation>I totali differiscono; un progetto porta tutte le curve alla loro media, {} mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7420,12 +7490,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>To the empty layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Allo strato vuoto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>To the last step</source>
-        <translation type="unfinished"></translation>
+        <translation>All'ultimo passo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7466,17 +7536,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Trabeculae in layers along X</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecole negli strati lungo X</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Trabeculae in layers along Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecole negli strati lungo Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Trabeculae in layers along Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecole negli strati lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7512,12 +7582,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Volume of the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume della mesh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Volume of the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
@@ -7542,12 +7612,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Voxels asked for in each column, from the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel richiesti in ogni colonna, da sinistra</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Voxels asked for in each row, from the lowest</source>
-        <translation type="unfinished"></translation>
+        <translation>Voxel richiesti in ogni riga, dal basso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7557,7 +7627,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>Watch a layer being filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Osserva il riempimento di uno strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7577,22 +7647,22 @@
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Why? Formula, source, second route</source>
-        <translation type="unfinished"></translation>
+        <translation>Perché? Formula, fonte, seconda via</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Write tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivi tabelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Write …</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivi …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>X-ray</source>
-        <translation type="unfinished"></translation>
+        <translation>Raggi X</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7602,12 +7672,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>alpha, columns</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha, colonne</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>alpha: voxels in the lines (x, z)</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha: voxel nelle linee (x, z)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
@@ -7617,7 +7687,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>and {} more</source>
-        <translation type="unfinished"></translation>
+        <translation>e altri {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7635,9 +7705,14 @@
         <translation>area, mm²</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>areas in mm²</source>
+        <translation>aree in mm²</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>come estratta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -7647,7 +7722,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>così come sono</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
@@ -7662,12 +7737,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>beta, rows</source>
-        <translation type="unfinished"></translation>
+        <translation>beta, righe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>beta: voxels in the lines (y, z)</source>
-        <translation type="unfinished"></translation>
+        <translation>beta: voxel nelle linee (y, z)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7713,7 +7788,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>columns, u stays smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>colonne, u resta minimo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7723,7 +7798,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>coupling</source>
-        <translation type="unfinished"></translation>
+        <translation>accoppiamento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -7756,14 +7831,19 @@
         <translation>direzione: 0.6,0.8,0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
+        <source>drawn curves</source>
+        <translation>curve disegnate</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>failed, left out</source>
-        <translation type="unfinished"></translation>
+        <translation>fallita, esclusa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>false</source>
-        <translation type="unfinished"></translation>
+        <translation>falso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7783,7 +7863,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>kind of the contours</source>
-        <translation type="unfinished"></translation>
+        <translation>tipo dei contorni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/language.py"/>
@@ -7804,7 +7884,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>mended</source>
-        <translation type="unfinished"></translation>
+        <translation>riparate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
@@ -7814,7 +7894,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>no</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -7829,7 +7909,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_model.py"/>
         <source>no voxels have these sums in columns and rows</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun voxel ha queste somme in colonne e righe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -7846,7 +7926,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>nothing that is seen can be coloured by that</source>
-        <translation type="unfinished"></translation>
+        <translation>nulla di visibile si può colorare così</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>nothing: drawn anew</source>
+        <translation>nulla: disegno nuovo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7872,7 +7957,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>plates</source>
-        <translation type="unfinished"></translation>
+        <translation>piastre</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7882,7 +7967,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>porosity of the slices along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>porosità delle fette lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7907,12 +7992,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>recovery of the rods</source>
-        <translation type="unfinished"></translation>
+        <translation>recupero delle aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>rods</source>
-        <translation type="unfinished"></translation>
+        <translation>aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7922,7 +8007,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>rows, v stays smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>righe, v resta minimo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
@@ -7952,12 +8037,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>size of the rods</source>
-        <translation type="unfinished"></translation>
+        <translation>dimensione delle aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>slice </source>
         <translation>fetta </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/curve_view.py"/>
+        <source>sliced area along {}, {}</source>
+        <translation>area delle fette lungo {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7988,7 +8078,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/table_model.py"/>
         <source>sum</source>
-        <translation type="unfinished"></translation>
+        <translation>somma</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -7998,7 +8088,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>the shortest first</source>
-        <translation type="unfinished"></translation>
+        <translation>la più corta per prima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
@@ -8026,14 +8116,19 @@
         <translation>a</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
+        <source>total along {}: {} mm³, {} % of the box</source>
+        <translation>totale lungo {}: {} mm³, {} % del parallelepipedo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>trabeculae in the layers along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>trabecole negli strati lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>true</source>
-        <translation type="unfinished"></translation>
+        <translation>vero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -8048,7 +8143,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>sì</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -8166,27 +8261,27 @@
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: next column {}, {} voxels into the rows that need most</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: prossima colonna {}, {} voxel nelle righe che richiedono di più</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: next row {}, {} voxels into the columns that need most</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: prossima riga {}, {} voxel nelle colonne che richiedono di più</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: no design with these numbers any more</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: nessun progetto con questi numeri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
         <source>{}: the layer is filled</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: lo strato è pieno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>{}; {} sums or cells are wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; {} somme o celle sono errate</translation>
     </message>
 </context>
 <context>
@@ -8220,12 +8315,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Colori</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Give colours a meaning; a legend says which. Select objects, or nothing for all that are seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Dare un significato ai colori; una legenda dice quale. Selezionare oggetti, o nulla per tutti quelli visibili</translation>
     </message>
 </context>
 <context>
@@ -8714,12 +8809,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through</source>
-        <translation type="unfinished"></translation>
+        <translation>Trasparenza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Solid, in a glass envelope, or as an X-ray. Select a design, or nothing for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Solido, in un involucro di vetro, o ai raggi X. Selezionare un progetto, o nulla per tutti</translation>
     </message>
 </context>
 <context>
@@ -8766,12 +8861,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>See, edit, read and write the tables alpha and beta. Needs a voxel design; select one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>Vedere, modificare, leggere e scrivere le tabelle alpha e beta. Serve un progetto a voxel; selezionarne uno tra più</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
 </context>
 <context>
@@ -8792,12 +8887,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Watch a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Osserva uno strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Watch how a layer is filled, step by step. Select a voxel design for its layers, or nothing for own numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Osservare passo per passo come si riempie uno strato. Selezionare un progetto a voxel per i suoi strati, o nulla per numeri propri</translation>
     </message>
 </context>
 <context>
@@ -8830,7 +8925,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;eeing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vista</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
@@ -8850,7 +8945,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula seeing</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabecula vista</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
