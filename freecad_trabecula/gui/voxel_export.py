@@ -17,7 +17,7 @@ from .. import make
 from ..core.voxels import file_sizes
 from ..core.voxels.image_stacks import KINDS as IMAGES
 from ..core.voxels.image_stacks import write_stack
-from ..core.voxels.volume_files import write_npy, write_nrrd, write_vti
+from ..core.voxels.volume_files import WRITERS
 from ..errors import ExportError
 from ..geometry.files import MESH_FORMATS
 from .export_dialog import ExportDialog, ask_and_write, size_text, write_body
@@ -60,11 +60,7 @@ def write_voxels(obj: Any, path: str) -> None:
         write_body(obj, path)
         return
     design = make.voxel_design_of(obj)
-    if kind == "npy":
-        write_npy(path, design.voxels)
-    else:
-        write = write_nrrd if kind == "nrrd" else write_vti
-        write(path, design.voxels, design.targets.voxel, design.targets.origin)
+    WRITERS[kind](path, design.voxels, design.targets.voxel, design.targets.origin)
 
 
 def write_images(obj: Any, kind: str, folder: str) -> str:

@@ -10,9 +10,10 @@ import numpy as np
 
 from ..parameters import require
 from .image_stacks import layer_image, png_bytes
+from .volume_files import WRITERS
 
 #: Files of voxels, and stacks of images (one a layer, but TIFF).
-VOLUMES = ("npy", "nrrd", "vti")
+VOLUMES = tuple(WRITERS)
 _NPY, _NRRD, _VTI = 128, 330, 600  # bytes of headers, about
 _BMP_HEAD, _BMP_ROW = 1078, 4  # header with 256 greys; rows end at multiples of so many bytes
 _PAGE = 300  # bytes that a TIFF needs for a page besides its pixels

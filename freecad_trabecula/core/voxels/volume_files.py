@@ -6,7 +6,7 @@ from __future__ import annotations
 import gzip
 import zlib
 from pathlib import Path
-from typing import BinaryIO, Dict, List, NamedTuple, Sequence, Tuple, Union
+from typing import BinaryIO, Callable, Dict, List, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -242,3 +242,11 @@ def write_vti(path: Union[str, Path], voxels: np.ndarray, voxel: Sequence[float]
         file.write(head.encode("ascii"))
         file.write(np.array([values.size], "<u8").tobytes() + values.tobytes())
         file.write(b"\n</AppendedData>\n</VTKFile>\n")
+
+
+#: Writers ``(path, voxels (P, M, N), voxel, origin)`` by the files' ending; the sizes beforehand are in ``file_sizes``.
+WRITERS: Dict[str, Callable[..., None]] = {
+    "npy": lambda path, voxels, voxel, origin: write_npy(path, voxels),
+    "nrrd": write_nrrd,
+    "vti": write_vti,
+}
