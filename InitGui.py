@@ -34,6 +34,11 @@ class TrabeculaWorkbench(FreeCADGui.Workbench):
 
         commands.register(self)
 
+    def Activated(self):
+        from freecad_trabecula.gui import guide_dock
+
+        guide_dock.welcome()
+
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 

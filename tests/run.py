@@ -38,7 +38,7 @@ PARTS = {
 TIMEOUTS = {"plain": 2700, "document": 600, "window": 600}
 #: A refusal raised on purpose by an object's execute: FreeCAD reports it with its traceback, and this last line.
 REFUSAL = "<class 'freecad_trabecula.errors."
-#: FreeCAD's settings in the home of the tests: no start page, which would start a web browser; numbers by language.
+#: FreeCAD's settings in the home of the tests: no start page, which would start a web browser; no guide; numbers by language.
 SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters>
   <FCParamGroup Name="Root">
@@ -50,6 +50,9 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
           <FCInt Name="UseLocaleFormatting" Value="1"/>
         </FCParamGroup>
         <FCParamGroup Name="Mod">
+          <FCParamGroup Name="Trabecula">
+            <FCBool Name="ShowStart" Value="0"/>
+          </FCParamGroup>
           <FCParamGroup Name="Start">
             <FCBool Name="ShowOnStartup" Value="0"/>
             <FCBool Name="FirstStart2024" Value="0"/>

@@ -11,7 +11,8 @@ from ..features.relations import type_of
 from . import panels
 from .analysing import analyse_at_once
 from .analysis_dock import dock_of_window, show_analyses
-from .analysis_form import is_sliceable
+from .analysis_form import ask_mesh_file, is_sliceable
+from .analysis_saving import ask_and_save
 from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
 from .document_work import is_busy
 
@@ -23,7 +24,7 @@ class AnalyseSlices(PanelCommand):
     """Opens the panel of slice analyses: for the selected analysis or body, or for a new one."""
 
     NAME, ICON = "Trabecula_Analysis", "Trabecula_analysis"
-    TEXT, KEYS = "Slice analysis", "T, A"
+    TEXT, KEYS = "Slice analysis", "Y, A"
     TIP = "Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file"
 
     def run(self, index: int) -> None:
@@ -31,6 +32,20 @@ class AnalyseSlices(PanelCommand):
         document, chosen = document_or_new(), selected_objects()
         analysis = next((obj for obj in chosen if type_of(obj) == KIND), None)
         panels.open_analysis(document, analysis, next((obj for obj in chosen if is_sliceable(obj)), None))
+
+
+class MeasureFile(PanelCommand):
+    """Opens the panel of slice analyses for a file."""
+
+    NAME, ICON = "Trabecula_MeasureFile", "Trabecula_measure_file"
+    TEXT, KEYS = "Measure a file", "Y, M"
+    TIP = "Slice a mesh from a file: STL, OBJ, PLY, 3MF. Needs nothing"
+
+    def run(self, index: int) -> None:
+        """Ask for the file and open the panel."""
+        path = ask_mesh_file()
+        if path:
+            panels.open_analysis_of_file(document_or_new(), path)
 
 
 class AnalyseNow(Command):
@@ -41,7 +56,7 @@ class AnalyseNow(Command):
         "Analyse at once",
         "Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid",
     )
-    KEYS = "T, Q"
+    KEYS = "Y, Q"
 
     def reason(self) -> str:
         """Return why not: a body must be selected, and one analysis is made at a time."""
@@ -61,7 +76,7 @@ class ShowPlots(Command):
     """Shows the dock of slice analyses."""
 
     NAME, ICON = "Trabecula_Plots", "Trabecula_plots"
-    TEXT, KEYS = "Slices and plots", "T, P"
+    TEXT, KEYS = "Slices and plots", "Y, P"
     TIP = (
         "Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown"
     )
@@ -83,7 +98,7 @@ class CompareAnalyses(Command):
         "Compare analyses",
         "Show two or more analyses on shared axes, and how near they are. Select them, or none for all",
     )
-    KEYS = "T, C"
+    KEYS = "Y, C"
 
     def reason(self) -> str:
         """Return why not: one alone has nothing beside it."""
@@ -96,9 +111,22 @@ class CompareAnalyses(Command):
         show_analyses(chosen if len(chosen) > 1 else objects_of(KIND))
 
 
+class SaveAnalyses(Command):
+    """Writes tables, report and plots of analyses."""
+
+    NAME, ICON, NEEDS = "Trabecula_SaveAnalyses", "Trabecula_save_analyses", ("analysis",)
+    TEXT, KEYS = "Save tables and plots", "Y, S"
+    TIP = "Write tables, report and plots into a folder; of several their comparison. Select analyses, or none for all"
+
+    def run(self, index: int) -> None:
+        """Ask for a folder and write them."""
+        chosen = [obj for obj in selected_objects() if type_of(obj) == KIND]
+        ask_and_save(chosen or objects_of(KIND))
+
+
 def _bodies() -> List[Any]:
     return [obj for obj in selected_objects() if is_sliceable(obj)]
 
 
 #: In the order of toolbar and menu.
-COMMANDS = (AnalyseSlices, AnalyseNow, ShowPlots, CompareAnalyses)
+COMMANDS = (MeasureFile, AnalyseSlices, AnalyseNow, ShowPlots, CompareAnalyses, SaveAnalyses)

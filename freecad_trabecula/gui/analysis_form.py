@@ -122,12 +122,7 @@ class AnalysisForm(QtGui.QWidget):
             self._changed()
 
     def _ask_file(self, *_: Any) -> None:
-        path, _ = QtGui.QFileDialog.getOpenFileName(
-            FreeCADGui.getMainWindow(),
-            translate("Trabecula", "Body to be sliced"),
-            "",
-            translate("Trabecula", "Meshes") + " " + _FILES,
-        )
+        path = ask_mesh_file()
         if path:
             self.set_file(path)
 
@@ -222,6 +217,14 @@ def _numbers(text: str) -> List[float]:
         except ValueError:
             raise ParameterError(f"heights must be numbers between blanks, mm, got {word!r}") from None
     return found
+
+
+def ask_mesh_file() -> str:
+    """Ask for a file that can be sliced; empty if there was none chosen."""
+    words = translate("Trabecula", "Body to be sliced")
+    kinds = translate("Trabecula", "Meshes") + " " + _FILES
+    path, _ = QtGui.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), words, "", kinds)
+    return path
 
 
 def sliceable(document: Any) -> Tuple[Any, ...]:

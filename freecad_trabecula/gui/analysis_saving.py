@@ -4,22 +4,19 @@
 from __future__ import annotations
 
 import importlib.util
-from typing import Any, Callable, List, Sequence
+from typing import Any, Callable, Sequence
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ..errors import TrabeculaError
 from ..features.analysis_files import NO_PLOTS
 from ..features.tasks import write_saving_task
-from .child_work import ChildWork, task_work
 from .preferences import folder_for
-from .recomputing import WorkBar
-from .transactions import say, told
+from .status_work import work_in_status_bar
+from .transactions import say
 
 translate = FreeCAD.Qt.translate
-_works: List[ChildWork] = []
 
 
 def ask_and_save(objects: Sequence[Any]) -> None:
@@ -50,26 +47,4 @@ def save(objects: Sequence[Any], folder: str, done: Callable[[], None]) -> None:
         If the work cannot be started.
     """
     plots = "png" if importlib.util.find_spec("matplotlib") else NO_PLOTS
-    work = task_work(lambda place: write_saving_task(place, objects, folder, plots))
-
-    def end() -> None:
-        bar.hide()
-        bar.deleteLater()
-
-    def fail(text: str) -> None:
-        end()
-        with told():
-            raise TrabeculaError(text)
-
-    def cancel() -> None:
-        work.cancel()
-        end()
-
-    bar = WorkBar(cancel)
-    work.progressed.connect(bar.show_progress)
-    work.succeeded.connect(lambda _: (end(), done()))
-    work.failed.connect(fail)
-    work.process.finished.connect(lambda *_: _works.remove(work))
-    _works.append(work)
-    bar.show_start()
-    work.start()
+    work_in_status_bar(lambda place: write_saving_task(place, objects, folder, plots), lambda _: done())

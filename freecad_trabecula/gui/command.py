@@ -92,7 +92,7 @@ class Command:
     TEXT, TIP : str
         What the menu says; what it does and, in the same words for all ("Select ...", "Needs ..."), what for.
     KEYS : str
-        Its keys, e.g. ``"T, D"``: one after the other.
+        Its keys, e.g. ``"Y, D"``: one after the other.
     NEEDS : tuple of str
         Names of ``NEEDED``, in the order in which they are missed.
     """
@@ -131,6 +131,8 @@ class PanelCommand(Command):
     NEEDS = ("no panel",)
 
 
+#: The commands by their names, once ``commands.py`` has registered them.
+REGISTERED: Dict[str, Command] = {}
 _explained: Dict[str, Tuple[str, str]] = {}  # tooltip without and with the reason, by the command's name
 
 

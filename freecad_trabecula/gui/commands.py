@@ -3,21 +3,26 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any
 
 import FreeCAD
 import FreeCADGui
 
 from ..core.presets import PRESETS
-from . import analysis_commands, help_commands, rod_commands, seeing_commands, study_commands, voxel_commands
-from .command import Command
+from . import analysis_commands, help_commands, rod_commands, seeing_commands, start_commands, study_commands, voxel_commands
+from .command import REGISTERED
 from .preferences import add_page
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 #: Modules whose ``COMMANDS`` are registered.
-MODULES = (rod_commands, analysis_commands, voxel_commands, seeing_commands, study_commands, help_commands)
-#: Title of a toolbar, title of its submenu, and the names of the commands in it; "" is a gap.
+MODULES = (start_commands, rod_commands, analysis_commands, voxel_commands, seeing_commands, study_commands, help_commands)
+#: Title of a toolbar, title of its submenu (none: the menu itself), and the names of the commands in it; "" is a gap.
 GROUPS = (
+    (
+        QT_TRANSLATE_NOOP("Workbench", "Trabecula"),
+        "",
+        ("Trabecula_Start", "Trabecula_Body", "Trabecula_Renew"),
+    ),
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula rods"),
         QT_TRANSLATE_NOOP("Workbench", "&Rods"),
@@ -30,7 +35,10 @@ GROUPS = (
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula slices"),
         QT_TRANSLATE_NOOP("Workbench", "&Slices"),
-        ("Trabecula_Analysis", "Trabecula_AnalyseNow", "Trabecula_Plots", "Trabecula_Compare"),
+        (
+            *("Trabecula_MeasureFile", "Trabecula_Analysis", "Trabecula_AnalyseNow", ""),
+            *("Trabecula_Plots", "Trabecula_Compare", "Trabecula_SaveAnalyses"),
+        ),
     ),
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula voxels"),
@@ -57,7 +65,7 @@ GROUPS = (
     ),
 )
 #: The commands by their names, once they are registered.
-COMMANDS: Dict[str, Command] = {}
+COMMANDS = REGISTERED
 
 
 def register(workbench: Any) -> None:
@@ -71,4 +79,4 @@ def register(workbench: Any) -> None:
     for bar, submenu, names in GROUPS:
         shown = [name or "Separator" for name in names]
         workbench.appendToolbar(bar, shown)
-        workbench.appendMenu([menu, submenu], shown)
+        workbench.appendMenu([menu, submenu] if submenu else [menu], shown)

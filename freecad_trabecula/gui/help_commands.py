@@ -11,7 +11,7 @@ class Help(Command):
     """Shows the dock of the help."""
 
     NAME, ICON = "Trabecula_Help", "Trabecula_help"
-    TEXT, KEYS = "Help", "T, F"
+    TEXT, KEYS = "Help", "Y, F"
     TIP = "Show or hide the help: tutorials, commands, files, the method, the glossary. Needs nothing"
 
     def run(self, index: int) -> None:

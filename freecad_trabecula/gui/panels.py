@@ -122,6 +122,13 @@ def open_analysis(document: Any, obj: Any = None, source: Any = None) -> None:
             show_panel(AnalysisPanel(document, obj, source))
 
 
+def open_analysis_of_file(document: Any, path: str) -> None:
+    """Open the panel of slice analyses for a new one of a file."""
+    if is_free():
+        open_analysis(document)
+        current().fields.set_file(path)
+
+
 def open_voxels(document: Any, obj: Any = None, source: Any = None) -> None:
     """Open the panel of voxel designs: for one that is there, or for a new one of a source."""
     from .voxel_panel import VoxelPanel

@@ -46,7 +46,7 @@ class DesignRods(PanelCommand):
     """Opens the design panel: for the selected design, or for a new one in the selected solid or in a prism."""
 
     NAME, ICON = "Trabecula_Design", "Trabecula_design"
-    TEXT, KEYS = "Design rods", "T, D"
+    TEXT, KEYS = "Design rods", "Y, D"
     TIP = "Design a network of rods. Select a solid, or a design to change; with nothing selected a prism is filled"
 
     def run(self, index: int) -> None:
@@ -148,7 +148,7 @@ class BuildNetwork(BuildBody):
         "Build network",
         "Build the rods as solids (STEP); no Boolean is needed. Needs a design; select one of several",
     )
-    KEYS = "T, N"
+    KEYS = "Y, N"
 
 
 class BuildScaffold(BuildBody):
@@ -159,7 +159,7 @@ class BuildScaffold(BuildBody):
         "Build scaffold",
         "Cut the channels out of the envelope: scaffold, channels, porosity. Needs a design; select one of several",
     )
-    KEYS = "T, B"
+    KEYS = "Y, B"
 
 
 class SwitchView(Command):
@@ -167,7 +167,7 @@ class SwitchView(Command):
 
     NAME, ICON, NEEDS = "Trabecula_Switch", "Trabecula_switch", ("design",)
     TEXT, TIP = "Rods or channels", "Show rods or channels: two views of one wireframe. Needs a scaffold"
-    KEYS = "T, R"
+    KEYS = "Y, R"
 
     def reason(self) -> str:
         """Return why not: channels come with a scaffold."""
@@ -186,7 +186,7 @@ class Results(PanelCommand):
         "Results",
         "Porosity, volumes, counts, recoveries, pore sizes, checks. Needs a design; select one of several",
     )
-    KEYS = "T, U"
+    KEYS = "Y, U"
 
     def run(self, index: int) -> None:
         """Open the panel."""
@@ -198,7 +198,7 @@ class RodInfo(Command):
 
     NAME, ICON = "Trabecula_RodInfo", "Trabecula_path"
     TEXT, TIP = "Rod at a click", "Show or hide what is known of a rod. Select one in the 3D view"
-    KEYS = "T, I"
+    KEYS = "Y, I"
 
     def run(self, index: int) -> None:
         """Show or hide the dock."""
@@ -209,7 +209,7 @@ class Export(Command):
     """Writes the bodies of a design into files."""
 
     NAME, ICON, NEEDS = "Trabecula_Export", "Trabecula_export", ("design",)
-    TEXT, KEYS = "Export", "T, X"
+    TEXT, KEYS = "Export", "Y, X"
     TIP = (
         "Write scaffold, channels or rods as STL, STEP, BREP, OBJ, PLY, 3MF, sizes first. Needs a scaffold or a network"
     )
@@ -231,7 +231,7 @@ class OpenJob(PanelCommand):
 
     NAME, ICON = "Trabecula_OpenJob", "Trabecula_open_job"
     TEXT, TIP = "Open job", "Open a job file: all that a design needs. Select nothing: it names its own body"
-    KEYS = "T, O"
+    KEYS = "Y, O"
 
     def run(self, index: int) -> None:
         """Ask for a file and open the panel."""
@@ -250,7 +250,7 @@ class SaveJob(Command):
         "Save job",
         "Save the design as a job file, which the command line runs too. Needs a design; select one of several",
     )
-    KEYS = "T, J"
+    KEYS = "Y, J"
 
     def run(self, index: int) -> None:
         """Ask for a file and write it."""

@@ -20,7 +20,7 @@ class CopyScript(Command):
     """Puts the Python that makes the design again onto the clipboard."""
 
     NAME, ICON, NEEDS = "Trabecula_CopyScript", "Trabecula_copy_script", ("ours",)
-    TEXT, KEYS = "Copy as script", "T, Y"
+    TEXT, KEYS = "Copy as script", "Y, Y"
     TIP = "Copy the Python that makes it again. Select a design or an analysis, or nothing for all of the document"
 
     def run(self, index: int) -> None:

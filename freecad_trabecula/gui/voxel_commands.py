@@ -26,7 +26,7 @@ class DesignVoxels(PanelCommand):
     """Opens the panel of voxel designs: for the selected design, or for a new one of the selected sample."""
 
     NAME, ICON = "Trabecula_Voxels", "Trabecula_voxels"
-    TEXT, KEYS = "Design voxels", "T, V"
+    TEXT, KEYS = "Design voxels", "Y, V"
     TIP = (
         "Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design"
     )
@@ -42,7 +42,7 @@ class ShowLayers(Command):
     """Shows the dock of voxel layers."""
 
     NAME, ICON = "Trabecula_VoxelLayers", "Trabecula_layers"
-    TEXT, KEYS = "Voxel layers", "T, L"
+    TEXT, KEYS = "Voxel layers", "Y, L"
     TIP = (
         "Show or hide the layers of sample and design with their counts. Select a voxel design, or nothing for the last"
     )
@@ -86,7 +86,7 @@ class LayerShapes(Command):
     """Makes wires or solids of layers."""
 
     NAME, ICON, NEEDS = "Trabecula_LayerShapes", "Trabecula_layer_shapes", ("voxels",)
-    TEXT, KEYS = "Layer shapes", "T, H"
+    TEXT, KEYS = "Layer shapes", "Y, H"
     TIP = "Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several"
 
     def run(self, index: int) -> None:
@@ -98,7 +98,7 @@ class ExportVoxels(Command):
     """Writes a voxel design into files."""
 
     NAME, ICON, NEEDS = "Trabecula_VoxelExport", "Trabecula_voxel_export", ("voxels",)
-    TEXT, KEYS = "Export voxels", "T, W"
+    TEXT, KEYS = "Export voxels", "Y, W"
     TIP = "Write mesh, voxels or images of layers; sizes are shown first. Needs a voxel design; select one of several"
 
     def run(self, index: int) -> None:

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work in another process whose progress the status bar shows, with a button that ends it."""
+
+from __future__ import annotations
+
+from typing import Callable, List
+
+from ..errors import TrabeculaError
+from .child_work import ChildWork, task_work
+from .recomputing import WorkBar
+from .transactions import told
+
+_works: List[ChildWork] = []
+
+
+def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], None]) -> None:
+    """Do a task; an error is told in a dialog.
+
+    Parameters
+    ----------
+    write_task : callable
+        Takes the folder in which the other process finds its work.
+    done : callable
+        Takes the folder with the results, which is removed afterwards.
+
+    Raises
+    ------
+    TrabeculaError
+        If the work cannot be started.
+    """
+    work = task_work(write_task)
+
+    def end() -> None:
+        bar.hide()
+        bar.deleteLater()
+
+    def succeed(folder: str) -> None:
+        end()
+        with told():
+            done(folder)
+
+    def fail(text: str) -> None:
+        end()
+        with told():
+            raise TrabeculaError(text)
+
+    def cancel() -> None:
+        work.cancel()
+        end()
+
+    bar = WorkBar(cancel)
+    work.progressed.connect(bar.show_progress)
+    work.succeeded.connect(succeed)
+    work.failed.connect(fail)
+    work.process.finished.connect(lambda *_: _works.remove(work))
+    _works.append(work)
+    bar.show_start()
+    work.start()
+
+
+def is_working() -> bool:
+    """Return whether such work is on its way."""
+    return bool(_works)
