@@ -139,9 +139,9 @@ _explained: Dict[str, Tuple[str, str]] = {}  # tooltip without and with the reas
 def explain(name: str, reason: str) -> None:
     """Let the tooltip and the status tip of a command say why it cannot be used; none: as they were."""
     found = FreeCADGui.Command.get(name)
-    for action in found.getAction()[:1] if found is not None else ():
-        present = action.toolTip()
-        plain, told_before = _explained.get(name, ("", ""))
+    for number, action in enumerate(found.getAction() if found is not None else ()):  # a group has several
+        key, present = f"{name} {number}", action.toolTip()
+        plain, told_before = _explained.get(key, ("", ""))
         if present != told_before or not plain:
             plain = present  # FreeCAD's own, anew after a change of language or keys
         line = translate("Trabecula", "Not now: {}").format(reason)
@@ -149,4 +149,4 @@ def explain(name: str, reason: str) -> None:
         if wanted != present:
             action.setToolTip(wanted)
             action.setStatusTip(line if reason else found.getInfo()["toolTip"])
-        _explained[name] = plain, wanted
+        _explained[key] = plain, wanted

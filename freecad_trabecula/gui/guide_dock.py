@@ -168,6 +168,7 @@ class GuideDock(QtGui.QDockWidget):
         """Show the guide at the right of the window."""
         window = FreeCADGui.getMainWindow()
         if window.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea and not self.isFloating():
+            window.setCorner(QtCore.Qt.BottomRightCorner, QtCore.Qt.RightDockWidgetArea)  # plots leave it its height
             window.addDockWidget(QtCore.Qt.RightDockWidgetArea, self)
         self.show()
         self.raise_()

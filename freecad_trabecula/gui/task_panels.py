@@ -9,6 +9,8 @@ import FreeCAD
 import FreeCADGui
 
 from ..features.relations import type_of, wireframe_of
+from .qt import invoke_later
+from .task_dock import lay_tasks_beside_view
 from .transactions import say
 
 translate = FreeCAD.Qt.translate
@@ -34,6 +36,7 @@ def show_panel(panel: Any) -> None:
     """Open a task panel and remember it."""
     _panel[:] = [panel]
     FreeCADGui.Control.showDialog(panel)
+    invoke_later(lay_tasks_beside_view, 200)  # once it is on the screen
 
 
 def wireframes(document: Any) -> list:
