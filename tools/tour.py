@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Walks through the three doors in a real FreeCAD window, with a picture of each step (``make tour``, ``make tour-latest``).
+"""Walks through the three doors in a real FreeCAD window, picturing each step (``make tour``, ``make tour-latest``).
 
 The pictures go to build/tour/<version>. ``--docs`` (``make tour ARGS=--docs``) then writes docs/tutorial-*.md and
 docs/pictures/tour-*.png from what is there: all steps on the oldest FreeCAD, one sheet a door for each newer one. Needs

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Walks through one door of the guide in a FreeCAD window, as a user would, with a picture of each step.
 
-Started by ``gallery_window.py`` for ``tour.py``. Beside each step stands what the tutorial says more than the guide does.
+Started by ``gallery_window.py`` for ``tour.py``. Beside each step stands what the tutorial says besides.
 """
 
 import json
@@ -15,8 +15,8 @@ from PySide import QtGui
 
 BONES = Path(__file__).resolve().parent.parent / "resources" / "examples"
 START = (
-    "The guide opens with the workbench: three doors, each with its steps and a small example. *Begin* goes through the door "
-    "with the open document; *Example* opens a finished project in a new one. What is marked ➤ comes next."
+    "The guide opens with the workbench: three doors, each with its steps and an example. *Begin* goes through the "
+    "door with the open document; *Example* opens a finished project in a new one. What is marked ➤ comes next."
 )
 
 
@@ -130,7 +130,7 @@ def walk_rods(walk):
     walk.bring("shrew_bone_a.ply", 6.0)
     walk.click("bone")
     walk.until("bone")
-    walk.tell_step("bone", "A specimen of trabecular bone, as large as the scaffold: `resources/examples/shrew_bone_a.ply`.")
+    walk.tell_step("bone", "Bone as large as the scaffold: `resources/examples/shrew_bone_a.ply`.")
     walk.click("compare")
     walk.until("compare")
     walk.tell_step("compare", "Area by area the scaffold swings where its sites lie; the bone does not.")
@@ -141,7 +141,7 @@ def walk_rods(walk):
     walk.wait(seconds=2.0)
     walk.ok()
     walk.until("compare")
-    walk.tell_step("change", "Pores of up to 1.1 mm, OK: scaffold, analysis and comparison are computed anew by themselves.")
+    walk.tell_step("change", "Pores of up to 1.1 mm, OK: scaffold, analysis and comparison follow by themselves.")
     wireframe = next(obj for obj in FreeCAD.ActiveDocument.Objects if obj.Name.startswith("Wireframe"))
     dialog = ExportDialog(FreeCADGui.getMainWindow(), [one for one in parts_of(wireframe) if exists(one)])
     dialog.show()

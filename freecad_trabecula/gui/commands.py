@@ -9,14 +9,30 @@ import FreeCAD
 import FreeCADGui
 
 from ..core.presets import PRESETS
-from . import analysis_commands, help_commands, rod_commands, seeing_commands, start_commands, study_commands, voxel_commands
+from . import (
+    analysis_commands,
+    help_commands,
+    rod_commands,
+    seeing_commands,
+    start_commands,
+    study_commands,
+    voxel_commands,
+)
 from .command import REGISTERED
 from .preferences import add_page
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 #: Modules whose ``COMMANDS`` are registered.
-MODULES = (start_commands, rod_commands, analysis_commands, voxel_commands, seeing_commands, study_commands, help_commands)
-#: Title of a toolbar, title of its submenu (none: the menu itself), and the names of the commands in it; "" is a gap.
+MODULES = (
+    start_commands,
+    rod_commands,
+    analysis_commands,
+    voxel_commands,
+    seeing_commands,
+    study_commands,
+    help_commands,
+)
+#: Title of a toolbar, title of its submenu (none: the menu itself), names of its commands; "" is a gap.
 GROUPS = (
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula"),

@@ -13,6 +13,8 @@ from ..features.tasks import write_example_task
 from .status_work import work_in_status_bar
 from .transactions import record, transaction
 
+translate = FreeCAD.Qt.translate
+
 
 def open_example(name: str, done: Callable[[Any], None]) -> None:
     """Open an example; the status bar shows how far it is and can end it.
@@ -39,7 +41,7 @@ def _write(folder: str, name: str) -> Any:
     record("from freecad_trabecula import make")
     record(f'document = FreeCAD.newDocument("Example_{name}")')
     document = FreeCAD.ActiveDocument
-    with transaction(document, "Example project"):
+    with transaction(document, translate("Trabecula", "Example project")):
         record(f"make.make_example(document, {name!r})")
     for obj in document.Objects:
         if getattr(obj, "Proxy", None) is None and hasattr(obj, "Shape"):

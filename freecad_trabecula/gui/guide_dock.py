@@ -140,7 +140,7 @@ class GuideDock(QtGui.QDockWidget):
         page = QtGui.QWidget()
         column = QtGui.QVBoxLayout(page)
         column.setSpacing(3)
-        self.back = QtGui.QPushButton("‹ " + translate("Trabecula", "All ways to work"))
+        self.back = QtGui.QPushButton(translate("Trabecula", "All ways to work"))
         self.back.clicked.connect(lambda *_: self.leave())
         self.title = QtGui.QLabel()
         self.title.setWordWrap(True)

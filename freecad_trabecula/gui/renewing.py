@@ -5,10 +5,14 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
+
 from .. import make
 from ..features.stages import stale_objects
 from .recomputing import of_window
 from .transactions import transaction
+
+translate = FreeCAD.Qt.translate
 
 
 def renew(document: Any) -> None:
@@ -21,5 +25,5 @@ def renew(document: Any) -> None:
     """
     for obj in stale_objects(document):
         if not of_window().take(obj, obj.Proxy.key(obj)):
-            with transaction(document, "Bring up to date"):
+            with transaction(document, translate("Trabecula", "Bring up to date")):
                 make.update(obj)

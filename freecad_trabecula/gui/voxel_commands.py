@@ -59,7 +59,7 @@ class ShowTables(Command):
     """Shows the tables of a voxel design."""
 
     NAME, ICON, NEEDS = "Trabecula_VoxelTables", "Trabecula_tables", ("voxels",)
-    TEXT, KEYS = "Tables", "T, E"
+    TEXT, KEYS = "Tables", "Y, T"
     TIP = "See, edit, read and write the tables alpha and beta. Needs a voxel design; select one of several"
 
     def run(self, index: int) -> None:
@@ -74,7 +74,7 @@ class WatchLayer(Command):
     """Shows how a layer is filled."""
 
     NAME, ICON = "Trabecula_WatchLayer", "Trabecula_watch_layer"
-    TEXT, KEYS = "Watch a layer", "T, Z"
+    TEXT, KEYS = "Watch a layer", "Y, E"
     TIP = "Watch how a layer is filled, step by step. Select a voxel design for its layers, or nothing for own numbers"
 
     def run(self, index: int) -> None:
