@@ -9,6 +9,7 @@
 # make gallery      pictures of every panel and design    make lint     ruff and the test of the layers
 # make translations refreshes the .ts files from the sources, and packs them into .qm
 # make release      checks, the archive, installed into a clean FreeCAD home and tested there; VERSION=0.2.0 names it first
+# make tour         walks the three doors in the window, a picture of each step (ARGS=--docs: the tutorials)
 # make setup        what the others do first: installs what is missing by apt and pip, and says what
 # make clean        removes build/
 
@@ -16,11 +17,11 @@ PYTHON = /usr/bin/python3
 LATEST = sh tools/newest_freecad.sh run
 CHOICE = $(if $(ONLY),--only $(ONLY)) $(if $(MATCH),--match $(MATCH))
 
-.PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery translations lint
+.PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery tour translations lint
 .PHONY: release format clean
 
 help:
-	@sed -n '3,13s/^# \{0,1\}//p' Makefile
+	@sed -n '3,14s/^# \{0,1\}//p' Makefile
 
 setup:
 	@sh tools/setup.sh
@@ -33,7 +34,7 @@ test-latest:
 	@$(LATEST) sh tools/setup.sh
 	@$(LATEST) $(PYTHON) tests/run.py --out build/test-latest $(CHOICE)
 
-demo bench validate gallery: setup
+demo bench validate gallery tour: setup
 	@$(PYTHON) tools/$@.py $(ARGS)
 
 brep: setup

@@ -38,7 +38,7 @@ PARTS = {
 TIMEOUTS = {"plain": 2700, "document": 600, "window": 600}
 #: A refusal raised on purpose by an object's execute: FreeCAD reports it with its traceback, and this last line.
 REFUSAL = "<class 'freecad_trabecula.errors."
-#: FreeCAD's settings in the home of the tests: no start page, which starts a web browser; no guide; numbers by language.
+#: Settings in the home of the tests: no start page, which starts a web browser; no guide; numbers by language.
 SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters>
   <FCParamGroup Name="Root">

@@ -386,6 +386,11 @@ def main():
             arrange()
         others = {"panels": take_panels, "analysis": take_analysis, "voxels": take_voxels}
         others.update(dark=take_dark, theme=choose_dark_theme)
+        if CHOICE["part"].startswith("tour-"):
+            import tour_window
+
+            door = CHOICE["part"][len("tour-") :]
+            others[CHOICE["part"]] = lambda: tour_window.walk_door(door, FOLDER, wait, shoot)
         others.get(CHOICE["part"], lambda: take_design(CHOICE["part"]))()
         status = 0
     except SystemExit as stop:
@@ -396,5 +401,5 @@ def main():
     os._exit(status)
 
 
-sys.path.insert(0, str(ROOT))
+sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
 QtCore.QTimer.singleShot(1500, main)
