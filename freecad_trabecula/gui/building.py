@@ -114,7 +114,7 @@ class Writing:
         self._target, self._job, self._listener = target, job, listener
         self._steps: List[Callable[[], None]] = [self._write_design]
         self._steps += [lambda kind=kind: self._write_body(kind) for kind in kinds]
-        self._steps += [lambda: _show(self._wireframe())]
+        self._steps += [lambda: _show(self._wireframe()), self._let_follow]
         self._document: Any = None
         self._unfinished = ""
 
@@ -167,6 +167,10 @@ class Writing:
         else:
             envelope = f", envelope=document.getObject({target.envelope!r})" if target.envelope else ""
             record(f"wireframe = make.make_design(document, job{envelope}).wireframe")
+
+    def _let_follow(self) -> None:
+        """Have analyses of the bodies computed anew, and what else is made of them."""
+        self._document.recompute()
 
     def _wireframe(self) -> Any:
         if self._target.wireframe:

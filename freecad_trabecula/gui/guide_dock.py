@@ -111,7 +111,7 @@ class GuideDock(QtGui.QDockWidget):
         self.setWindowIcon(icon("Trabecula_start"))
         self.rows: List[StepRow] = []
         self.cards: Dict[str, DoorCard] = {}
-        self._chosen: Dict[str, str] = {}  # door by the document's name, where it is not that of its objects
+        self._chosen: Dict[str, str] = {}  # door by the document's Uid, where it is not that of its objects
         self._last: Any = None
         self.pages = QtGui.QStackedWidget()
         self.pages.addWidget(self._scrolled(self._make_doors()))
@@ -188,8 +188,8 @@ class GuideDock(QtGui.QDockWidget):
 
     def door(self, stages: Stages) -> Optional[Door]:
         """Return the door of the active document: the chosen one, else that of its objects; None: all are shown."""
-        name = FreeCAD.ActiveDocument.Name if FreeCAD.ActiveDocument is not None else ""
-        wanted = self._chosen.get(name, door_of(stages))
+        mark = FreeCAD.ActiveDocument.Uid if FreeCAD.ActiveDocument is not None else ""
+        wanted = self._chosen.get(mark, door_of(stages))
         return next((door for door in DOORS if door.name == wanted), None)
 
     def look(self) -> None:
@@ -226,13 +226,13 @@ class GuideDock(QtGui.QDockWidget):
         """Go through a door with the active document; a new one if there is none."""
         if FreeCAD.ActiveDocument is None:
             FreeCAD.newDocument()
-        self._chosen[FreeCAD.ActiveDocument.Name] = door.name
+        self._chosen[FreeCAD.ActiveDocument.Uid] = door.name
         self.look()
 
     def leave(self) -> None:
         """Show all doors; the document stays as it is."""
         if FreeCAD.ActiveDocument is not None:
-            self._chosen[FreeCAD.ActiveDocument.Name] = ""
+            self._chosen[FreeCAD.ActiveDocument.Uid] = ""
         self.look()
 
     def open_example(self, door: Door) -> None:
@@ -242,7 +242,6 @@ class GuideDock(QtGui.QDockWidget):
             return
 
         def follow(document: Any) -> None:
-            self._chosen.pop(document.Name, None)
             if is_alive(self):
                 self.look()
 
