@@ -51,7 +51,7 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
         </FCParamGroup>
         <FCParamGroup Name="Mod">
           <FCParamGroup Name="Trabecula">
-            <FCBool Name="ShowStart" Value="0"/>
+            <FCBool Name="ShowStartPanel" Value="0"/>
           </FCParamGroup>
           <FCParamGroup Name="Start">
             <FCBool Name="ShowOnStartup" Value="0"/>

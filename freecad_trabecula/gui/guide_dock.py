@@ -24,7 +24,7 @@ translate = FreeCAD.Qt.translate
 _NAME, _WIDTH, _PICTURE = "TrabeculaGuideDock", 260, 48  # pixels
 _PAUSE = 400  # ms between two looks at the document: it is only looked at while the guide is seen
 #: Where it is kept whether the guide opens with the workbench.
-SETTINGS, AT_START = "User parameter:BaseApp/Preferences/Mod/Trabecula", "ShowStart"
+SETTINGS, AT_START = "User parameter:BaseApp/Preferences/Mod/Trabecula", "ShowStartPanel"
 _SIGNS = {DONE: "✓", NEXT: "➤", OPEN: "○", LATER: "○", STALE: "↻", WORKING: "…", FAILED: "✗"}
 
 
