@@ -132,6 +132,35 @@ def test_no_literal_is_shown_without_translation():
     assert found == []
 
 
+def untranslated_numbers(tree):
+    """Return (line, text) of each number that is written with Python's own signs, outside of an error or a warning."""
+    quiet = {id(node) for one in ast.walk(tree) if isinstance(one, ast.Raise) for node in ast.walk(one)}
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        if name_of(call) in ("_tell", "PrintWarning", "PrintLog", "PrintMessage"):
+            quiet |= {id(node) for node in ast.walk(call)}
+    found = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FormattedValue) and node.format_spec is not None and id(node) not in quiet:
+            parts = [part.value for part in node.format_spec.values if isinstance(part, ast.Constant)]
+            spec = "".join(parts)
+            if re.search(r"[efg%,]", spec) and not spec.endswith(".0f"):
+                found.append((node.lineno, spec))
+        if isinstance(node, ast.Call) and name_of(node) == "format" and id(node) not in quiet:
+            texts = [one.value for one in ast.walk(node.func) if isinstance(one, ast.Constant)]
+            found += [(node.lineno, text) for text in texts if re.search(r"\{\w*:[^}]*[efg%,]\}", str(text))]
+    return found
+
+
+@pytest.mark.parametrize("source", ["label.setText(f'{x:.2f} mm')", "'{:.3g} mm'.format(x)", "say(f'{count:,}')"])
+def test_a_number_with_points_in_every_language_would_be_found(source):
+    assert len(untranslated_numbers(ast.parse(source))) == 1
+
+
+def test_no_number_of_the_window_has_a_point_in_every_language():
+    trees = [(name, tree) for name, tree in gui_trees() if name not in ("language.py", "help_pages.py", "qt.py")]
+    assert [f"{name}:{line}: {text}" for name, tree in trees for line, text in untranslated_numbers(tree)] == []
+
+
 def test_every_translate_has_literals_that_the_command_can_find():
     found = []
     for name, tree in gui_trees():

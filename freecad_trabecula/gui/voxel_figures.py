@@ -25,7 +25,7 @@ def figures_of(obj: Any) -> List[Figure]:
             translate("Trabecula", "yes") if obj.Exact else translate("Trabecula", "no"),
             "voxels.made",
         ),
-        Figure(translate("Trabecula", "Solid voxels"), f"{obj.Voxels:,}", "voxels.voxels"),
+        Figure(translate("Trabecula", "Solid voxels"), local_number(obj.Voxels, ","), "voxels.voxels"),
         Figure(
             translate("Trabecula", "Volume of the voxels"),
             number_with_unit(obj.VoxelVolume.Value, ".4f", "mm³"),
@@ -48,9 +48,15 @@ def figures_of(obj: Any) -> List[Figure]:
             "voxels.largest_fraction",
         ),
         Figure(translate("Trabecula", "Closed cavities"), str(obj.ClosedCavities), "voxels.closed_cavities"),
-        Figure(translate("Trabecula", "Contacts by an edge alone"), f"{obj.EdgeContacts:,}", "voxels.edge_contacts"),
         Figure(
-            translate("Trabecula", "Contacts by a corner alone"), f"{obj.CornerContacts:,}", "voxels.corner_contacts"
+            translate("Trabecula", "Contacts by an edge alone"),
+            local_number(obj.EdgeContacts, ","),
+            "voxels.edge_contacts",
+        ),
+        Figure(
+            translate("Trabecula", "Contacts by a corner alone"),
+            local_number(obj.CornerContacts, ","),
+            "voxels.corner_contacts",
         ),
     ]
     if len(obj.TrabeculaDeviation):

@@ -709,7 +709,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>Rods of the wireframe</source>
-        <translation>Stäbe des Drahtgerüsts</translation>
+        <translation>Stäbe des Drahtmodells</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -945,17 +945,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>The wireframe whose rods these are</source>
-        <translation>Das Drahtgerüst, dessen Stäbe dies sind</translation>
+        <translation>Das Drahtmodell, dessen Stäbe dies sind</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>The wireframe: its numbers</source>
-        <translation>Das Drahtgerüst: seine Zahlen</translation>
+        <translation>Das Drahtmodell: seine Zahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>The wireframe: names, tables, places of its numbers</source>
-        <translation>Das Drahtgerüst: Namen, Tabellen, Plätze seiner Zahlen</translation>
+        <translation>Das Drahtmodell: Namen, Tabellen, Plätze seiner Zahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -2149,8 +2149,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
-        <source>a mesh format must be one of stl, ply, obj, 3mf, got {}</source>
-        <translation>ein Netzformat muss eines von stl, ply, obj, 3mf sein, hier {}</translation>
+        <source>a mesh format must be one of {}, got {}</source>
+        <translation>ein Netzformat muss eines von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -4922,7 +4922,7 @@
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>wireframe</source>
-        <translation>Drahtgerüst</translation>
+        <translation>Drahtmodell</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -5255,7 +5255,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>{} must be linked to a wireframe, got {}</source>
-        <translation>{} muss mit einem Drahtgerüst verknüpft sein, hier {}</translation>
+        <translation>{} muss mit einem Drahtmodell verknüpft sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -6794,7 +6794,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>Passport</source>
-        <translation>Steckbrief</translation>
+        <translation>Pass</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/paths_section.py"/>
@@ -7187,7 +7187,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
         <source>Select a wireframe or its sites first</source>
-        <translation>Zuerst ein Drahtgerüst oder seine Stellen auswählen</translation>
+        <translation>Zuerst ein Drahtmodell oder seine Stellen auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
@@ -8576,7 +8576,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Lines of new wireframes</source>
-        <translation>Linien neuer Drahtgerüste</translation>
+        <translation>Linien neuer Drahtmodelle</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8676,7 +8676,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Wireframe</source>
-        <translation>Drahtgerüst</translation>
+        <translation>Drahtmodell</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8827,7 +8827,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show rods or channels: two views of one wireframe. Needs a scaffold</source>
-        <translation>Stäbe oder Kanäle zeigen: zwei Ansichten eines Drahtgerüsts. Braucht ein Gerüst</translation>
+        <translation>Stäbe oder Kanäle zeigen: zwei Ansichten eines Drahtmodells. Braucht ein Gerüst</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Cell of the field engine</source>
-        <translation>Cella del metodo a campo</translation>
+        <translation>Cella del motore a campo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -141,7 +141,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>Contours of all slices that are counted</source>
-        <translation>Contorni di tutte le fette che si contano</translation>
+        <translation>Contorni di tutte le sezioni che si contano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -262,7 +262,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>Engine that cut the channels</source>
-        <translation>Metodo che ha tagliato i canali</translation>
+        <translation>Motore che ha tagliato i canali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -543,17 +543,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>Mean of sliced area over envelope area, over the axes, %</source>
-        <translation>Media dell'area di fetta sull'area dell'involucro, sugli assi, %</translation>
+        <translation>Media dell'area sezionata sull'area dell'involucro, sugli assi, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Memory budget of the B-Rep engine</source>
-        <translation>Limite di memoria del metodo B-Rep</translation>
+        <translation>Limite di memoria del motore B-Rep</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Memory budget of the B-Rep engine (memory_gb)</source>
-        <translation>Limite di memoria del metodo B-Rep (memory_gb)</translation>
+        <translation>Limite di memoria del motore B-Rep (memory_gb)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -629,7 +629,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>On: only from SliceLow to SliceHigh is sliced</source>
-        <translation>Sì: si affetta solo da SliceLow a SliceHigh</translation>
+        <translation>Sì: si seziona solo da SliceLow a SliceHigh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -709,7 +709,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>Rods of the wireframe</source>
-        <translation>Aste del reticolo</translation>
+        <translation>Aste del telaio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -739,7 +739,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>STL, OBJ, PLY or 3MF that is sliced if there is no source</source>
-        <translation>STL, OBJ, PLY o 3MF affettato se non c'è un corpo</translation>
+        <translation>STL, OBJ, PLY o 3MF sezionato se non c'è un corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -840,12 +840,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>Slices along all axes</source>
-        <translation>Fette lungo tutti gli assi</translation>
+        <translation>Sezioni lungo tutti gli assi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>Slices on which the mesh is not closed: their numbers may be wrong</source>
-        <translation>Fette in cui la mesh non è chiusa: i loro numeri possono essere errati</translation>
+        <translation>Sezioni in cui la mesh non è chiusa: i loro numeri possono essere errati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -880,7 +880,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>Sum of sliced area x thickness, mean of the axes</source>
-        <translation>Somma di area di fetta x spessore, media degli assi</translation>
+        <translation>Somma di area sezionata x spessore, media degli assi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
@@ -910,7 +910,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>The body that is sliced; none: the file</source>
-        <translation>Il corpo affettato; nessuno: il file</translation>
+        <translation>Il corpo sezionato; nessuno: il file</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -945,17 +945,17 @@
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>The wireframe whose rods these are</source>
-        <translation>Il reticolo di cui queste sono le aste</translation>
+        <translation>Il telaio di cui queste sono le aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>The wireframe: its numbers</source>
-        <translation>Il reticolo: i suoi numeri</translation>
+        <translation>Il telaio: i suoi numeri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>The wireframe: names, tables, places of its numbers</source>
-        <translation>Il reticolo: nomi, tabelle, posti dei suoi numeri</translation>
+        <translation>Il telaio: nomi, tabelle, posti dei suoi numeri</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -975,12 +975,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Time budget of the B-Rep engine</source>
-        <translation>Limite di tempo del metodo B-Rep</translation>
+        <translation>Limite di tempo del motore B-Rep</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Time budget of the B-Rep engine (seconds)</source>
-        <translation>Limite di tempo del metodo B-Rep (seconds)</translation>
+        <translation>Limite di tempo del motore B-Rep (seconds)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -997,12 +997,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>To whose slices the porosity refers; none: the body's box</source>
-        <translation>Alle cui fette si riferisce la porosità; nessuno: il parallelepipedo del corpo</translation>
+        <translation>Alle cui sezioni si riferisce la porosità; nessuno: il parallelepipedo del corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>Triangles that were sliced</source>
-        <translation>Triangoli affettati</translation>
+        <translation>Triangoli sezionati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -1058,7 +1058,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>Volume of the same cut by the mesh engine: the independent route</source>
-        <translation>Volume dello stesso taglio col metodo a mesh: la via indipendente</translation>
+        <translation>Volume dello stesso taglio col motore a mesh: la via indipendente</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -1201,7 +1201,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>Why this engine, and what it was expected to take</source>
-        <translation>Perché questo metodo, e che cosa ci si aspettava che richiedesse</translation>
+        <translation>Perché questo motore, e che cosa ci si aspettava che richiedesse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -1714,7 +1714,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Kolmogorov-Smirnov distance of the distributions of trabecular area (net of holes, each trabecula of each slice once): largest difference of the two shares of trabeculae up to an area; not binned; 0 = equal, 1 = apart</source>
-        <translation>distanza di Kolmogorov-Smirnov delle distribuzioni di area trabecolare (al netto dei fori, ogni trabecola di ogni fetta una volta): massima differenza delle quote fino a un'area; senza classi; 0 = uguali, 1 = separate</translation>
+        <translation>distanza di Kolmogorov-Smirnov delle distribuzioni di area trabecolare (al netto dei fori, ogni trabecola di ogni sezione una volta): massima differenza delle quote fino a un'area; senza classi; 0 = uguali, 1 = separate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -1759,7 +1759,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Sliced area (mm2)</source>
-        <translation>Area delle fette (mm2)</translation>
+        <translation>Area sezionata (mm2)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -2149,8 +2149,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
-        <source>a mesh format must be one of stl, ply, obj, 3mf, got {}</source>
-        <translation>un formato di mesh deve essere uno di stl, ply, obj, 3mf, qui {}</translation>
+        <source>a mesh format must be one of {}, got {}</source>
+        <translation>un formato di mesh deve essere uno di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -2225,7 +2225,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a profile to be compared must have slices, {} has none along {}</source>
-        <translation>un profilo da confrontare deve avere fette, {} non ne ha lungo {}</translation>
+        <translation>un profilo da confrontare deve avere sezioni, {} non ne ha lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -2295,12 +2295,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have material: its sliced areas make, got {}</source>
-        <translation>un campione deve avere materiale: le sue aree di fetta danno, qui {}</translation>
+        <translation>un campione deve avere materiale: le sue aree sezionate danno, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a sample must have voids: of {} cells its sliced areas fill, got {}</source>
-        <translation>un campione deve avere vuoti: di {} celle le sue aree di fetta ne riempiono, qui {}</translation>
+        <translation>un campione deve avere vuoti: di {} celle le sue aree sezionate ne riempiono, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -2360,12 +2360,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a sliced area along {} must not be larger than its layer, got {} of it at {}</source>
-        <translation>un'area di fetta lungo {} non deve essere maggiore del suo strato, qui {} di essa in {}</translation>
+        <translation>un'area sezionata lungo {} non deve essere maggiore del suo strato, qui {} di essa in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a sliced area along {} must not be negative, got {} of it at {}</source>
-        <translation>un'area di fetta lungo {} non deve essere negativa, qui {} di essa in {}</translation>
+        <translation>un'area sezionata lungo {} non deve essere negativa, qui {} di essa in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/mesh_solids.py"/>
@@ -2390,7 +2390,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>a solid scaffold must have all its channels: the B-Rep engine came to {} of {} rods, then {}; the mesh scaffold stands</source>
-        <translation>uno scaffold solido deve avere tutti i suoi canali: il metodo B-Rep è arrivato a {} aste su {}, poi {}; lo scaffold a mesh resta</translation>
+        <translation>uno scaffold solido deve avere tutti i suoi canali: il motore B-Rep è arrivato a {} aste su {}, poi {}; lo scaffold a mesh resta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
@@ -2585,7 +2585,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>an estimate can be made for the mesh or the field engine, got {}</source>
-        <translation>si può stimare per il metodo a mesh o a campo, qui {}</translation>
+        <translation>si può stimare per il motore a mesh o a campo, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/examples.py"/>
@@ -2720,7 +2720,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>chains of trabeculae that go on from slice to slice, each overlapping one of the next and no other, over the distance from the first slice to the last</source>
-        <translation>catene di trabecole che proseguono di fetta in fetta, ognuna sovrapposta a una sola della successiva, sulla distanza dalla prima all'ultima fetta</translation>
+        <translation>catene di trabecole che proseguono di sezione in sezione, ognuna sovrapposta a una sola della successiva, sulla distanza dalla prima all'ultima sezione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -2966,17 +2966,17 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>exact slices</source>
-        <translation>fette esatte</translation>
+        <translation>sezioni esatte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>exact slices are those of a solid, got a file</source>
-        <translation>le fette esatte sono quelle di un solido, qui un file</translation>
+        <translation>le sezioni esatte sono quelle di un solido, qui un file</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
         <source>exact slices are those of a solid, got {}</source>
-        <translation>le fette esatte sono quelle di un solido, qui {}</translation>
+        <translation>le sezioni esatte sono quelle di un solido, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
@@ -3564,7 +3564,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>porosity {} % by the {} engine</source>
-        <translation>porosità {} %, metodo {}</translation>
+        <translation>porosità {} %, motore {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
@@ -3765,22 +3765,22 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>sliced area</source>
-        <translation>area delle fette</translation>
+        <translation>area sezionata</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>sliced areas</source>
-        <translation>aree delle fette</translation>
+        <translation>aree sezionate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>sliced areas {}, got {} mm² in layer {} along {}</source>
-        <translation>le aree di fetta {}, qui {} mm² nello strato {} lungo {}</translation>
+        <translation>le aree sezionate {}, qui {} mm² nello strato {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
-        <translation>affettatura lungo {}</translation>
+        <translation>sezionamento lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3897,7 +3897,7 @@
     <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>the B-Rep engine makes no compact layers, got {} faces with a layer: use the mesh engine</source>
-        <translation>il metodo B-Rep non fa strati compatti, qui {} facce con uno strato: usare il metodo a mesh</translation>
+        <translation>il motore B-Rep non fa strati compatti, qui {} facce con uno strato: usare il motore a mesh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_formats.py"/>
@@ -3969,7 +3969,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>the cells of the field engine are too coarse for these rods: make them smaller, or take the mesh engine</source>
-        <translation>le celle del metodo a campo sono troppo grosse per queste aste: rimpicciolirle, o usare il metodo a mesh</translation>
+        <translation>le celle del motore a campo sono troppo grosse per queste aste: rimpicciolirle, o usare il motore a mesh</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4050,7 +4050,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>the engine</source>
-        <translation>il metodo</translation>
+        <translation>il motore</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4344,7 +4344,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>the porosity of slices along {} is that of an analysis of {}, got none: analyse it first</source>
-        <translation>la porosità delle fette lungo {} è quella di un'analisi di {}, qui nessuna: analizzarlo prima</translation>
+        <translation>la porosità delle sezioni lungo {} è quella di un'analisi di {}, qui nessuna: analizzarlo prima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/jobs.py"/>
@@ -4635,7 +4635,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there must be at least one axis to slice along, got {}</source>
-        <translation>serve almeno un asse lungo cui affettare, qui {}</translation>
+        <translation>serve almeno un asse lungo cui sezionare, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
@@ -4655,7 +4655,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
-        <translation>tesi cap. 9 (interconnessione delle trabecole); grafo delle fette</translation>
+        <translation>tesi cap. 9 (interconnessione delle trabecole); grafo delle sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
@@ -4690,7 +4690,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
-        <translation>trabecole che si sovrappongono a più d'una della fetta successiva (divisioni) o della precedente (unioni), su quella distanza</translation>
+        <translation>trabecole che si sovrappongono a più d'una della sezione successiva (divisioni) o della precedente (unioni), su quella distanza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4865,7 +4865,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>voxels must be as large as the layers of the sample, {} mm along {}, got {} mm, which makes {} layers of the sample's {}: slice it again with layers of {} mm</source>
-        <translation>i voxel devono essere grandi quanto gli strati del campione, {} mm lungo {}, qui {} mm, che fanno {} strati dei {} del campione: affettarlo di nuovo in strati di {} mm</translation>
+        <translation>i voxel devono essere grandi quanto gli strati del campione, {} mm lungo {}, qui {} mm, che fanno {} strati dei {} del campione: sezionarlo di nuovo in strati di {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -4900,12 +4900,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>what is sliced must be a mesh or have a solid, got {} without</source>
-        <translation>ciò che si affetta deve essere una mesh o avere un solido, qui {} senza</translation>
+        <translation>ciò che si seziona deve essere una mesh o avere un solido, qui {} senza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_source.py"/>
         <source>what is sliced must have triangles, got none in {}</source>
-        <translation>ciò che si affetta deve avere triangoli, qui nessuno in {}</translation>
+        <translation>ciò che si seziona deve avere triangoli, qui nessuno in {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/guides.py"/>
@@ -4922,7 +4922,7 @@
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>wireframe</source>
-        <translation>reticolo</translation>
+        <translation>telaio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
@@ -5071,12 +5071,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
-        <translation>metodo {}, {} aste, {} triangoli, celle di {} mm: circa {} s e {} GB</translation>
+        <translation>motore {}, {} aste, {} triangoli, celle di {} mm: circa {} s e {} GB</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, {} pairs that come near: about {} s and {} GB</source>
-        <translation>metodo {}, {} aste, {} triangoli, {} coppie che si avvicinano: circa {} s e {} GB</translation>
+        <translation>motore {}, {} aste, {} triangoli, {} coppie che si avvicinano: circa {} s e {} GB</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -5255,7 +5255,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>{} must be linked to a wireframe, got {}</source>
-        <translation>{} deve essere collegato a un reticolo, qui {}</translation>
+        <translation>{} deve essere collegato a un telaio, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -5343,7 +5343,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} must have a source or a file to be sliced, got neither</source>
-        <translation>{} deve avere un corpo o un file da affettare, qui nessuno dei due</translation>
+        <translation>{} deve avere un corpo o un file da sezionare, qui nessuno dei due</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
@@ -5536,12 +5536,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, bone fraction {} %</source>
-        <translation>{} fette, frazione ossea {} %</translation>
+        <translation>{} sezioni, frazione ossea {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
         <source>{} slices, {} of them spoilt, bone fraction {} %</source>
-        <translation>{} fette, {} guaste, frazione ossea {} %</translation>
+        <translation>{} sezioni, {} guaste, frazione ossea {} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5691,7 +5691,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>{}: axes.{} does not fit its profile of {} slices: {}</source>
-        <translation>{}: axes.{} non si accorda col suo profilo di {} fette: {}</translation>
+        <translation>{}: axes.{} non si accorda col suo profilo di {} sezioni: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -5881,12 +5881,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine needs manifold3d: {}</source>
-        <translation>{}; il metodo esatto a mesh richiede manifold3d: {}</translation>
+        <translation>{}; il motore esatto a mesh richiede manifold3d: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{}; the exact mesh engine would take about {} s</source>
-        <translation>{}; il metodo esatto a mesh richiederebbe circa {} s</translation>
+        <translation>{}; il motore esatto a mesh richiederebbe circa {} s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
@@ -5984,7 +5984,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>Analyse a mesh, a solid or a design to see its slices</source>
-        <translation>Analizzare una mesh, un solido o un progetto per vederne le fette</translation>
+        <translation>Analizzare una mesh, un solido o un progetto per vederne le sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -6043,7 +6043,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Body to be sliced</source>
-        <translation>Corpo da affettare</translation>
+        <translation>Corpo da sezionare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6312,12 +6312,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
         <source>Draw sliced areas</source>
-        <translation>Disegna le aree delle fette</translation>
+        <translation>Disegna le aree sezionate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Draw the sliced areas along X, Y and Z, anew or from those of an analysis</source>
-        <translation>Disegnare le aree delle fette lungo X, Y e Z, da zero o da quelle di un'analisi</translation>
+        <translation>Disegnare le aree sezionate lungo X, Y e Z, da zero o da quelle di un'analisi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
@@ -6343,7 +6343,7 @@
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>Engine</source>
-        <translation>Metodo</translation>
+        <translation>Motore</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -6899,17 +6899,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along X</source>
-        <translation>Porosità delle fette lungo X</translation>
+        <translation>Porosità delle sezioni lungo X</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along Y</source>
-        <translation>Porosità delle fette lungo Y</translation>
+        <translation>Porosità delle sezioni lungo Y</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Porosity of slices along Z</source>
-        <translation>Porosità delle fette lungo Z</translation>
+        <translation>Porosità delle sezioni lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -7141,7 +7141,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
         <source>Scaffold: {} engine, about {}, {}</source>
-        <translation>Scaffold: metodo {}, circa {}, {}</translation>
+        <translation>Scaffold: motore {}, circa {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -7187,7 +7187,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
         <source>Select a wireframe or its sites first</source>
-        <translation>Selezionare prima un reticolo o i suoi siti</translation>
+        <translation>Selezionare prima un telaio o i suoi siti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
@@ -7266,33 +7266,33 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Slice an STL, OBJ, PLY or 3MF file</source>
-        <translation>Affettare un file STL, OBJ, PLY o 3MF</translation>
+        <translation>Sezionare un file STL, OBJ, PLY o 3MF</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Slice analysis</source>
-        <translation>Analisi per fette</translation>
+        <translation>Analisi per sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Sliced area</source>
-        <translation>Area delle fette</translation>
+        <translation>Area sezionata</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Sliced area, mm²</source>
-        <translation>Area delle fette, mm²</translation>
+        <translation>Area sezionata, mm²</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Slices</source>
-        <translation>Fette</translation>
+        <translation>Sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Slices: {}</source>
-        <translation>Fette: {}</translation>
+        <translation>Sezioni: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7322,7 +7322,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Spoilt slices</source>
-        <translation>Fette guaste</translation>
+        <translation>Sezioni guaste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7500,7 +7500,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>To whose slices the porosity refers</source>
-        <translation>Alle cui fette si riferisce la porosità</translation>
+        <translation>Alle cui sezioni si riferisce la porosità</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7577,7 +7577,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Volume by slices, mm³</source>
-        <translation>Volume dalle fette, mm³</translation>
+        <translation>Volume dalle sezioni, mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
@@ -7967,7 +7967,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
         <source>porosity of the slices along {}</source>
-        <translation>porosità delle fette lungo {}</translation>
+        <translation>porosità delle sezioni lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
@@ -8042,23 +8042,23 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>slice </source>
-        <translation>fetta </translation>
+        <translation>sezione </translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/curve_view.py"/>
         <source>sliced area along {}, {}</source>
-        <translation>area delle fette lungo {}, {}</translation>
+        <translation>area sezionata lungo {}, {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>sliced area less that of {}, mm²</source>
-        <translation>area della fetta meno quella di {}, mm²</translation>
+        <translation>area sezionata meno quella di {}, mm²</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
         <source>sliced area, mm²</source>
-        <translation>area della fetta, mm²</translation>
+        <translation>area sezionata, mm²</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
@@ -8183,7 +8183,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>{} engine</source>
-        <translation>metodo {}</translation>
+        <translation>motore {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -8294,7 +8294,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice a body as its kind asks for and show the plots. Select a scaffold, mesh or solid</source>
-        <translation>Affettare un corpo come richiede il suo tipo e mostrare i grafici. Selezionare uno scaffold, una mesh o un solido</translation>
+        <translation>Sezionare un corpo come richiede il suo tipo e mostrare i grafici. Selezionare uno scaffold, una mesh o un solido</translation>
     </message>
 </context>
 <context>
@@ -8302,12 +8302,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice analysis</source>
-        <translation>Analisi per fette</translation>
+        <translation>Analisi per sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
-        <translation>Affettare e misurare ogni fetta. Selezionare una mesh, un solido, un progetto o un'analisi, o nulla per scegliere un file</translation>
+        <translation>Sezionare e misurare ogni sezione. Selezionare una mesh, un solido, un progetto o un'analisi, o nulla per scegliere un file</translation>
     </message>
 </context>
 <context>
@@ -8458,12 +8458,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Show or hide the profiles of analyses and the slice under the cursor. Select the analyses that are to be shown</source>
-        <translation>Mostrare o nascondere i profili delle analisi e la fetta sotto il cursore. Selezionare le analisi da mostrare</translation>
+        <translation>Mostrare o nascondere i profili delle analisi e la sezione sotto il cursore. Selezionare le analisi da mostrare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slices and plots</source>
-        <translation>Fette e grafici</translation>
+        <translation>Sezioni e grafici</translation>
     </message>
 </context>
 <context>
@@ -8491,12 +8491,12 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Contours that count as plates, in the picture of a slice</source>
-        <translation>Contorni che contano come piastre, nell'immagine di una fetta</translation>
+        <translation>Contorni che contano come piastre, nell'immagine di una sezione</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Contours that count as rods, in the picture of a slice</source>
-        <translation>Contorni che contano come aste, nell'immagine di una fetta</translation>
+        <translation>Contorni che contano come aste, nell'immagine di una sezione</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8526,7 +8526,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Engine</source>
-        <translation>Metodo</translation>
+        <translation>Motore</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8576,7 +8576,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Lines of new wireframes</source>
-        <translation>Linee dei nuovi reticoli</translation>
+        <translation>Linee dei nuovi telai</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8621,7 +8621,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Slice thickness</source>
-        <translation>Spessore delle fette</translation>
+        <translation>Spessore delle sezioni</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8646,7 +8646,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Thickness of the layers of a new slice analysis; a voxel design is sliced by its own layers</source>
-        <translation>Spessore degli strati di una nuova analisi; un progetto a voxel è affettato per i suoi strati</translation>
+        <translation>Spessore degli strati di una nuova analisi; un progetto a voxel è sezionato per i suoi strati</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8676,7 +8676,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>Wireframe</source>
-        <translation>Reticolo</translation>
+        <translation>Telaio</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -8827,7 +8827,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show rods or channels: two views of one wireframe. Needs a scaffold</source>
-        <translation>Mostrare aste o canali: due viste di un solo reticolo. Serve uno scaffold</translation>
+        <translation>Mostrare aste o canali: due viste di un solo telaio. Serve uno scaffold</translation>
     </message>
 </context>
 <context>
@@ -8879,7 +8879,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Design voxels with the sliced areas of a sample along X, Y and Z. Select a body, an analysis or a voxel design</source>
-        <translation>Progettare voxel con le aree di fetta di un campione lungo X, Y e Z. Selezionare un corpo, un'analisi o un progetto a voxel</translation>
+        <translation>Progettare voxel con le aree sezionate di un campione lungo X, Y e Z. Selezionare un corpo, un'analisi o un progetto a voxel</translation>
     </message>
 </context>
 <context>
@@ -8910,7 +8910,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>&amp;Slices</source>
-        <translation>&amp;Fette</translation>
+        <translation>&amp;Sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
@@ -8950,7 +8950,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula slices</source>
-        <translation>Trabecula fette</translation>
+        <translation>Trabecula sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
