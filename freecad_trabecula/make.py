@@ -7,8 +7,8 @@ By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_
 ``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
 ``estimate_voxel_design``, ``layer_areas_of``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``,
-``make_layer_shapes``. All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``. In
-another process: ``write_task``, ``run_task``, ``take_results``.
+``make_layer_shapes``. All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``. One page:
+``write_report``. In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -44,6 +44,7 @@ from .features.makers import (
     set_wireframe_parameters,
 )
 from .features.network import rod_at
+from .features.report_sections import write_report
 from .features.scaffold import bodies_of
 from .features.scripts import design_as_script, named_body
 from .features.second_routes import found_routes
@@ -108,5 +109,6 @@ __all__ = [
     "update",
     "voxel_design_of",
     "wireframe_of",
+    "write_report",
     "write_task",
 ]

@@ -21,7 +21,7 @@ LAYERS = (
         "bare",
         (
             *("errors", "__main__", "shell.arguments", "shell.option_values", "shell.slice_options"),
-            *("shell.voxel_options", "shell.launch", "views"),
+            *("shell.voxel_options", "shell.report_options", "shell.launch", "views"),
         ),
         ("stdlib", ".bare"),
         (),

@@ -11,6 +11,7 @@ from PySide import QtGui
 from .. import make
 from ..features.relations import type_of
 from .command import Command, active_document, selected_objects
+from .report_writing import ask_and_write
 from .transactions import say
 
 translate = FreeCAD.Qt.translate
@@ -32,10 +33,22 @@ class CopyScript(Command):
         say(translate("Trabecula", "{} lines that make {} again are on the clipboard").format(lines, chosen.Label))
 
 
+class WriteReport(Command):
+    """Writes all of the document into one HTML page and opens it."""
+
+    NAME, ICON, NEEDS = "Trabecula_WriteReport", "Trabecula_report", ("ours",)
+    TEXT, KEYS = "Write report", "T, M"
+    TIP = "Write designs, analyses, their comparison and voxels of the document into one HTML page, and open it"
+
+    def run(self, index: int) -> None:
+        """Ask for a file and write it."""
+        ask_and_write(active_document())
+
+
 def _chosen() -> Any:
     """What of ours is selected; else the document."""
     return next((obj for obj in selected_objects() if type_of(obj)), active_document())
 
 
 #: In the order of toolbar and menu.
-COMMANDS = (CopyScript,)
+COMMANDS = (CopyScript, WriteReport)

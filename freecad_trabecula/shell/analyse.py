@@ -3,14 +3,9 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import json
-import platform
 from pathlib import Path
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Tuple
-
-import FreeCAD
-import numpy as np
 
 from ..core.analysis.analysis import Analysis
 from ..core.analysis.branches import Branches, trace_branches
@@ -25,11 +20,13 @@ from ..core.analysis.svg_layers import write_svg
 from ..core.analysis.workbook import require_openpyxl, write_workbook
 from ..core.progress import Progress, part
 from ..errors import DependencyError, ParameterError
+from ..geometry.versions import versions
 from .folder import ResultFolder
 from .samples import Sample, read_sample
 
 Report = Callable[..., None]
 WORKBOOK = "slices.xlsx"
+PACKAGES = ("scipy", "matplotlib", "openpyxl")  # beside numpy, whose versions are told
 _ABOVE = {"middle": 0.5, "bottom": 1.0, "heights": 0.5}  # of a layer, over its plane
 #: Files that an analysis may leave in its folder.
 _OURS = (
@@ -72,7 +69,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
             sample.analysis,
             folder.aside,
             also=names,
-            versions=versions(),
+            versions=versions(*PACKAGES),
             notes=sample.notes,
             branches=branches,
             progress=part(progress, 0.97, 1.0),
@@ -187,14 +184,3 @@ def warn_of_old_files(folder: ResultFolder, files: Iterable[str], patterns: Iter
     old = {path.name for pattern in patterns for path in folder.target.glob(pattern)} - set(files)
     if old:
         report("warning", text=f"{', '.join(sorted(old))} in {folder.target} belong to an earlier run")
-
-
-def versions() -> Dict[str, str]:
-    """Return the versions of the programs that take part."""
-    found = {"FreeCAD": ".".join(FreeCAD.Version()[:3]), "Python": platform.python_version(), "numpy": np.__version__}
-    for name in ("scipy", "matplotlib", "openpyxl"):
-        try:
-            found[name] = importlib.metadata.version(name)
-        except importlib.metadata.PackageNotFoundError:
-            continue
-    return found

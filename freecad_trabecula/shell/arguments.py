@@ -12,7 +12,7 @@ import os
 import sys
 from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
-from . import slice_options, voxel_options
+from . import report_options, slice_options, voxel_options
 from .option_values import PROGRAM, pair, whole_number
 
 #: The engines of core/parameters.py, which needs numpy; a test holds the two lists together.
@@ -170,6 +170,15 @@ COMMANDS: Tuple[Command, ...] = (
         voxel_options.check_voxels,
         ("file", "out", "mask", "tables"),
         voxel_options.EXAMPLES,
+    ),
+    Command(
+        "report",
+        "tell folders of results in one HTML page",
+        "freecad_trabecula.shell.report",
+        report_options.report_options,
+        report_options.check_report,
+        ("folders", "out"),
+        report_options.EXAMPLES,
     ),
 )
 

@@ -13,7 +13,8 @@ from ..core.analysis.passport import passport
 from ..core.analysis.plots import comparison_figures
 from ..core.analysis.report import analysis_checks, analysis_faults
 from ..core.progress import part
-from .analyse import Report, plots_kind, progress_of, require_own_folder, versions, warn_of_old_files, write_figures
+from ..geometry.versions import versions
+from .analyse import PACKAGES, Report, plots_kind, progress_of, require_own_folder, warn_of_old_files, write_figures
 from .folder import ResultFolder
 from .samples import Sample, read_sample
 
@@ -48,7 +49,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
         figures = comparison_figures(comparison, analyses) if kind != "none" else ()
         names = write_figures(figures, kind, folder, part(progress, 0.85, 1.0))
         faults, notes = _told(analyses, samples)
-        record = save_comparison(comparison, passports, folder.aside, names, versions(), (*faults, *notes))
+        record = save_comparison(comparison, passports, folder.aside, names, versions(*PACKAGES), (*faults, *notes))
         folder.keep(*record["files"], PAGE, REPORT)
         warn_of_old_files(folder, record["files"], _OURS, report)
     for text in faults:

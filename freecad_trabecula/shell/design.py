@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-import importlib.metadata
-import platform
 import time
 from dataclasses import replace
 from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Tuple
 
 import FreeCAD
-import numpy as np
 
 from .. import make
 from ..core.bodies import Bodies, Check
@@ -23,6 +20,7 @@ from ..core.stl import whole_file
 from ..core.wireframe import Wireframe
 from ..errors import ExportError, ParameterError
 from ..geometry.files import MESH_FORMATS, SHAPE_FORMATS
+from ..geometry.versions import versions
 from .folder import ResultFolder
 from .job_options import job_of_options
 from .products import products, stl_checks, write_products
@@ -30,6 +28,7 @@ from .products import products, stl_checks, write_products
 Report = Callable[..., None]
 
 REPORT, PAGE = "report.json", "report.md"
+PACKAGES = ("scipy", "manifold3d")  # beside numpy, whose versions are told
 _ROD_TOLERANCE = 2e-3  # of the rods' volume, solids against meshes: tessellation
 
 
@@ -146,7 +145,7 @@ def write_design(job: Job, folder: ResultFolder, also: List[str], watch: Stopwat
         watch.seconds,
         time.process_time() - watch.cpu_start,
         {name: folder.path(name).stat().st_size for name in files},
-        versions(),
+        versions(*PACKAGES),
         told,
     )
     record = report_record(outcome)
@@ -219,17 +218,6 @@ def warnings(made: Made) -> Tuple[str, ...]:
     if outside:
         found.append(f"{len(outside)} rods leave the envelope between their ends: {', '.join(outside)}")
     return tuple(found)
-
-
-def versions() -> Dict[str, str]:
-    """Return the versions of the programs that take part."""
-    found = {"FreeCAD": ".".join(FreeCAD.Version()[:3]), "Python": platform.python_version(), "numpy": np.__version__}
-    for name in ("scipy", "manifold3d"):
-        try:
-            found[name] = importlib.metadata.version(name)
-        except importlib.metadata.PackageNotFoundError:
-            continue
-    return found
 
 
 def _warn_of_old_files(folder: ResultFolder, record: Mapping[str, Any], report: Report) -> None:

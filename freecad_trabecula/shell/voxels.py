@@ -29,7 +29,8 @@ from ..core.voxels.table_files import targets_of_tables, write_table_csv, write_
 from ..core.voxels.table_pairs import pair_rates
 from ..core.voxels.targets import Targets
 from ..core.voxels.volume_files import write_npy
-from .analyse import plots_kind, progress_of, require_own_folder, versions, warn_of_old_files
+from ..geometry.versions import versions
+from .analyse import PACKAGES, plots_kind, progress_of, require_own_folder, warn_of_old_files
 from .folder import ResultFolder
 from .voxel_options import FIELDS
 
@@ -113,7 +114,9 @@ def _write(
     phases = {"targets": read - start, **design.seconds, "files and plots": time.perf_counter() - made}
     files = {name: folder.path(name).stat().st_size for name in [*names, *(name for name, _ in pictures)]}
     design = replace(design, seconds=phases)
-    record = design_record(design, Path(options["file"]).name, time.perf_counter() - start, mesh, versions(), files)
+    record = design_record(
+        design, Path(options["file"]).name, time.perf_counter() - start, mesh, versions(*PACKAGES), files
+    )
     record.update(more)
     for name, text in ((PAGE, report_markdown(record, pictures)), (REPORT, record_json(record))):
         with whole_file(folder.path(name)) as file:

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Designs as wholes in the window: copied as a script."""
+"""Designs as wholes in the window: copied as a script, told in one page."""
+
+import os
+import tempfile
+from pathlib import Path
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
@@ -8,6 +13,7 @@ from window import WindowTest
 
 from freecad_trabecula import make
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.gui import report_writing
 
 
 class CopyScriptTest(WindowTest):
@@ -35,3 +41,30 @@ class CopyScriptTest(WindowTest):
         self.assertEqual(len(self.dialogs), 1)
         self.assertIn("must be without error", self.dialogs[0])
         self.assertEqual(len(FreeCAD.listDocuments()), 1)
+
+
+class WriteReportTest(WindowTest):
+    def test_the_page_has_views_of_the_bodies_and_leaves_the_window_as_it_was(self):
+        design = make.make_design(self.document, preset("case1"), ("network",))
+        analysis = make.make_analysis(self.document, design.network)
+        shown = {obj.Name: obj.ViewObject.Visibility for obj in self.document.Objects}
+        opened = []
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "page")
+            with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (path, "")), \
+                    mock.patch.object(QtGui.QDesktopServices, "openUrl", opened.append):  # fmt: skip
+                FreeCADGui.runCommand("Trabecula_WriteReport")
+            page = Path(path + ".html").read_text(encoding="utf-8")
+            self.assertEqual([one.toLocalFile() for one in opened], [path + ".html"])
+        self.assertIn(f"Slice analysis: {analysis.Label}", page)
+        self.assertIn("must have its scaffold", page)
+        self.assertEqual({obj.Name: obj.ViewObject.Visibility for obj in self.document.Objects}, shown)
+        self.assertEqual(self.dialogs, [])
+
+    def test_a_view_is_a_picture_of_the_body(self):
+        design = make.make_design(self.document, preset("case1"), ("network",))
+        (picture,) = report_writing.views_of(self.document)[design.wireframe.Name]
+        image = QtGui.QImage.fromData(picture.content)
+        self.assertEqual(picture.caption, "Network")
+        tones = {image.pixel(x, y) for x in range(0, image.width(), 5) for y in range(0, image.height(), 5)}
+        self.assertGreater(len(tones), 5)

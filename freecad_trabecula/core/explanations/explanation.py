@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import Any, List, Mapping, NamedTuple, Sequence, Tuple
 
 #: A second route that there is not.
@@ -59,7 +60,9 @@ class Explanation(NamedTuple):
 
 
 def routes_found(
-    explanation: Explanation, checks: Sequence[Mapping[str, Any]] = (), values: Mapping[str, float] = {}
+    explanation: Explanation,
+    checks: Sequence[Mapping[str, Any]] = (),
+    values: Mapping[str, float] = MappingProxyType({}),
 ) -> List[str]:
     """Return the values by both routes and their differences, a sentence each.
 
