@@ -8,7 +8,7 @@ By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
 ``estimate_voxel_design``, ``layer_areas_of``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``,
 ``make_layer_shapes``. All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``. One page:
-``write_report``. In another process: ``write_task``, ``run_task``, ``take_results``.
+``write_report``. Other seeds: ``make_variants``. In another process: ``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
@@ -49,6 +49,7 @@ from .features.scaffold import bodies_of
 from .features.scripts import design_as_script, named_body
 from .features.second_routes import found_routes
 from .features.tasks import run_task, take_results, write_task
+from .features.variants import make_variants
 from .features.voxel_design import voxel_design_of
 from .features.voxel_makers import (
     change_voxel_design,
@@ -92,6 +93,7 @@ __all__ = [
     "make_prism_sites",
     "make_scaffold",
     "make_solid_scaffold",
+    "make_variants",
     "make_voxel_design",
     "make_wireframe",
     "move_site",

@@ -34,6 +34,7 @@ from .network import Network, rods_by_key, shown_rods
 from .packing import read_value, write_value
 from .scaffold import Scaffold, cut, scaffold_key
 from .solid_scaffold import SolidScaffold, solid_key, solid_of
+from .variants import RAYS, rod_seeds, run_seeds, write_voxel_seeds
 from .voxel_design import VoxelDesign
 from .voxel_design import run_inputs as run_voxel_inputs
 from .voxel_inputs import Inputs as VoxelInputs
@@ -123,17 +124,30 @@ def write_voxel_task(folder: str, inputs: VoxelInputs) -> None:
     _write_record(Path(folder), {"voxels": write_voxel_inputs(Path(folder), inputs)})
 
 
+def write_variants_task(folder: str, obj: Any, seeds: Sequence[int], by: str = RAYS) -> None:
+    """Write what another process needs to make variants of a wireframe or a voxel design with other seeds.
+
+    ``features.variants.read_variants`` takes them when the task has been run.
+    """
+    place = Path(folder)
+    if is_a(obj, VoxelDesign):
+        _write_record(place, {"variants": write_voxel_seeds(place, obj.Proxy.inputs(obj), seeds)})
+        return
+    job = job_of(obj, envelope=_ENVELOPE)
+    _write(folder, job, obj.Envelope.Shape, [], variants=rod_seeds(obj, seeds, by))
+
+
 def write_example_task(folder: str, name: str) -> None:
     """Write what another process needs to compute all of an example project."""
     _write_record(Path(folder), {"example": name})
 
 
-def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]]) -> None:
+def _write(folder: str, job: Job, envelope: Part.Shape, wanted: Sequence[Dict[str, Any]], **more: Any) -> None:
     try:
         envelope.exportBinary(str(Path(folder) / _ENVELOPE))
     except OSError as error:
         raise ExportError(f"the task could not be written into {folder}: {error}") from error
-    _write_record(Path(folder), {"job": to_record(job), "wanted": list(wanted)})
+    _write_record(Path(folder), {"job": to_record(job), "wanted": list(wanted), **more})
 
 
 def _write_record(folder: Path, record: Dict[str, Any]) -> None:
@@ -167,10 +181,10 @@ def run_task(folder: str, progress: Progress = silent) -> None:
     if "voxels" in task:
         results.save(str(place / _RESULTS), *run_voxel_inputs(place, task["voxels"], progress))
         return
-    job = from_record(Job, task["job"], "job")
-    envelope = Part.Shape()
-    envelope.importBinary(str(place / _ENVELOPE))
-    inputs = job_inputs(job, envelope, part(progress, 0.0, 0.1))
+    if "variants" in task:
+        run_seeds(place, task["variants"], lambda step: _read_rods(place, task, step)[1], progress)
+        return
+    job, inputs = _read_rods(place, task, part(progress, 0.0, 0.1))
     found = [("wireframe", inputs.key)]
     if (place / _BEFORE).is_dir():
         history().learn(read_value(place / _BEFORE))
@@ -187,6 +201,14 @@ def run_task(folder: str, progress: Progress = silent) -> None:
         start, share = 1.0 - rest + number * rest / len(bodies), rest / len(bodies)
         found += _compute(wanted, inputs, kept, part(progress, start, start + share))
     results.save(str(place / _RESULTS), *dict.fromkeys(found))
+
+
+def _read_rods(place: Path, task: Dict[str, Any], progress: Progress) -> Tuple[Job, Inputs]:
+    """Return the job of a task and the inputs of its wireframe."""
+    job = from_record(Job, task["job"], "job")
+    envelope = Part.Shape()
+    envelope.importBinary(str(place / _ENVELOPE))
+    return job, job_inputs(job, envelope, progress)
 
 
 def _run_example(place: Path, name: str, progress: Progress) -> None:

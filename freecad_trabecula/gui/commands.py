@@ -72,7 +72,7 @@ GROUPS = (
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula study"),
         QT_TRANSLATE_NOOP("Workbench", "S&tudy"),
-        ("Trabecula_CopyScript", "Trabecula_WriteReport"),
+        ("Trabecula_Variants", "Trabecula_CopyScript", "Trabecula_WriteReport"),
     ),
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula help"),

@@ -9,10 +9,12 @@ import FreeCAD
 from PySide import QtGui
 
 from .. import make
-from ..features.relations import type_of
+from ..errors import ParameterError
+from ..features.relations import type_of, wireframe_of
 from .command import Command, active_document, selected_objects
 from .report_writing import ask_and_write
 from .transactions import say
+from .variants_dialog import open_variants
 
 translate = FreeCAD.Qt.translate
 
@@ -45,10 +47,33 @@ class WriteReport(Command):
         ask_and_write(active_document())
 
 
+class OtherSeeds(Command):
+    """Makes the design again with other seeds and lays the variants side by side."""
+
+    NAME, ICON, NEEDS = "Trabecula_Variants", "Trabecula_variants", ("ours",)
+    TEXT, KEYS = "Other seeds", "T, K"
+    TIP = "Make the design again with 10 other seeds, side by side with their spread. Select a design or voxels"
+
+    def run(self, index: int) -> None:
+        """Open the dialog, which begins at once."""
+        open_variants(_design())
+
+
+def _design() -> Any:
+    """The selected design of rods or voxels, else the latest of the document."""
+    kinds = ("Trabecula::Wireframe", "Trabecula::VoxelDesign")
+    chosen = [wireframe_of(obj) or obj for obj in selected_objects() if type_of(obj)]
+    found = [obj for obj in chosen if type_of(obj) in kinds]
+    found = found or [obj for obj in active_document().Objects if type_of(obj) in kinds][::-1]
+    if not found:
+        raise ParameterError("other seeds are those of a design of rods or voxels, got none: make one first")
+    return found[0]
+
+
 def _chosen() -> Any:
     """What of ours is selected; else the document."""
     return next((obj for obj in selected_objects() if type_of(obj)), active_document())
 
 
 #: In the order of toolbar and menu.
-COMMANDS = (CopyScript, WriteReport)
+COMMANDS = (CopyScript, WriteReport, OtherSeeds)

@@ -49,7 +49,7 @@ def _block(block: str, told: Told, level: int) -> str:
     if marks:
         depth = min(len(marks[1]) + level, 6)
         return f"<h{depth}>{_text(marks[2])}</h{depth}>"
-    if len(lines) > 1 and lines[0].startswith("| ") and lines[1].startswith("| ---"):
+    if len(lines) > 1 and lines[0].startswith("|") and set(lines[1]) <= set("|- "):
         return table(_cells(lines[0]), [_cells(line) for line in lines[2:]], told)
     if all(line.startswith("- ") for line in lines):
         return "<ul>" + "".join(f"<li>{_text(line[2:])}</li>" for line in lines) + "</ul>"

@@ -113,11 +113,12 @@ def read_section(folder: Union[str, Path]) -> Section:
     record = _record(place)
     kind = str(record.get("kind", DESIGN))
     charts: Sequence[str] = ()
-    if kind == ANALYSIS:
+    plots = _own_pictures(place, record)
+    if kind == ANALYSIS and not plots:
         charts = analysis_charts(load_analysis(place))
     elif kind == DESIGN:
         charts = design_charts(record)
-    return Section(kind, record, (*_body_pictures(place, kind), *_own_pictures(place, record)), tuple(charts))
+    return Section(kind, record, (*_body_pictures(place, kind), *plots), tuple(charts))
 
 
 def _record(place: Path) -> Dict[str, Any]:

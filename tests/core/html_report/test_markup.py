@@ -10,6 +10,10 @@ def test_headings_go_down_by_the_level():
     assert html_of("# one\n\n## two", level=1) == "<h2>one</h2>\n<h3>two</h3>"
 
 
+def test_lines_between_head_and_rows_may_have_no_spaces():
+    assert html_of("| a | b |\n|---|---|\n| x | 2 |").count("<td") == 2
+
+
 def test_a_table_has_head_rows_and_what_is_told_after_it():
     seen = []
 
