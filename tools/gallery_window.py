@@ -345,6 +345,28 @@ def take_tables(obj):
     dialog.close()
 
 
+def take_study():
+    """Picture why a porosity is what it is, and variants of a design by other seeds."""
+    from freecad_trabecula.gui.variants_dialog import VariantsDialog
+    from freecad_trabecula.gui.why import WhyPopup
+
+    report = build(open_preset("case6"), "network", "scaffold")
+    view().viewIsometric()
+    view().fitAll()
+    report.why[0].tell(3)
+    shoot("why-results")
+    windows = QtGui.QApplication.topLevelWidgets()
+    for one in [one for one in windows if isinstance(one, WhyPopup)]:
+        one.close()
+    report.reject()
+    FreeCADGui.runCommand("Trabecula_Variants")
+    dialog = next(one for one in QtGui.QApplication.topLevelWidgets() if isinstance(one, VariantsDialog))
+    dialog.move(180, 30)
+    wait(lambda: dialog.variants is not None, 300)
+    dialog.table.selectRow(1)
+    shoot("variants")
+
+
 def take_dark():
     """Picture some panels with a dark theme of FreeCAD's own."""
     from freecad_trabecula import make
@@ -385,7 +407,7 @@ def main():
         if CHOICE["part"] != "theme":
             arrange()
         others = {"panels": take_panels, "analysis": take_analysis, "voxels": take_voxels}
-        others.update(dark=take_dark, theme=choose_dark_theme)
+        others.update(dark=take_dark, study=take_study, theme=choose_dark_theme)
         if CHOICE["part"].startswith("tour-"):
             import tour_window
 

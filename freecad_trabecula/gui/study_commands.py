@@ -39,8 +39,8 @@ class WriteReport(Command):
     """Writes all of the document into one HTML page and opens it."""
 
     NAME, ICON, NEEDS = "Trabecula_WriteReport", "Trabecula_report", ("ours",)
-    TEXT, KEYS = "Write report", "T, M"
-    TIP = "Write designs, analyses, their comparison and voxels of the document into one HTML page, and open it"
+    TEXT, KEYS = "Write report", "Y, 1"
+    TIP = "Write all of the document into one HTML page and open it. Needs a scaffold, an analysis or voxels"
 
     def run(self, index: int) -> None:
         """Ask for a file and write it."""
@@ -51,7 +51,7 @@ class OtherSeeds(Command):
     """Makes the design again with other seeds and lays the variants side by side."""
 
     NAME, ICON, NEEDS = "Trabecula_Variants", "Trabecula_variants", ("ours",)
-    TEXT, KEYS = "Other seeds", "T, K"
+    TEXT, KEYS = "Other seeds", "Y, 2"
     TIP = "Make the design again with 10 other seeds, side by side with their spread. Select a design or voxels"
 
     def run(self, index: int) -> None:

@@ -209,15 +209,13 @@ class VariantsDialog(QtGui.QDialog):
         seed = self.seed()
         with told():
             obj = self.obj()
-            with transaction(obj.Document, "Take seed"):
+            with transaction(obj.Document, translate("Trabecula", "Take this seed")):
                 setattr(obj, "Seed" if type_of(obj) == "Trabecula::Wireframe" else "VoxelSeed", seed)
                 obj.Document.recompute()
             say(translate("Trabecula", "{} has the seed {}").format(obj.Label, seed))
 
     def _ask_and_save(self) -> None:
-        path, _ = QtGui.QFileDialog.getSaveFileName(
-            self, translate("Trabecula", "Save variants"), f"{self._name}-variants.csv", _CSV
-        )
+        path, _ = QtGui.QFileDialog.getSaveFileName(self, translate("Trabecula", "Save variants"), "", _CSV)
         if path:
             self.save(path)
 
