@@ -8,7 +8,8 @@ By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
 ``estimate_voxel_design``, ``layer_areas_of``, ``make_voxel_design``, ``change_voxel_design``, ``voxel_design_of``,
 ``make_layer_shapes``. All as lines of Python: ``design_as_script``. Both routes to a number: ``found_routes``.
-One page: ``write_report``. Other seeds: ``make_variants``. In another process: ``write_task``, ``run_task``, ``take_results``.
+One page: ``write_report``. Other seeds: ``make_variants``. In another process:
+``write_task``, ``run_task``, ``take_results``.
 
 Functions raise an error and leave the document as it was. They open no transaction: that is the caller's.
 """
