@@ -129,8 +129,12 @@ def _choices() -> Iterator[Tuple[Text, str]]:
                 yield Text("Choices", word), _file_of(cls)
     for file, tree in _modules("gui"):
         for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
-            if _callee(call) in ("ChoiceField", "offer_words") and call.args:
-                for word in _words(call.args[0], file):
+            if _callee(call) in ("ChoiceField", "offer_words") and isinstance(call.args[0], (ast.Name, ast.Tuple)):
+                words = _words(call.args[0], file)
+                is_open = not getattr(call.args[0], "elts", ["?"]) or getattr(call.args[0], "id", "") in ("choices",)
+                if not words and not is_open:
+                    raise ValueError(f"{file}:{call.lineno}: the words of this choice are found nowhere")
+                for word in words:
                     yield Text("Choices", word), file
 
 
@@ -142,6 +146,8 @@ def _words(node: ast.expr, file: str) -> Sequence[str]:
         return _words(node.value, file)
     if literal(node):
         return [literal(node)]
+    if isinstance(node, ast.Call) and _callee(node) in ("tuple", "list") and node.args:
+        return _words(node.args[0], file)
     name = getattr(node, "id", "") or (_callee(node) if isinstance(node, ast.Call) else "")
     for line in ast.parse((ROOT / file).read_text(encoding="utf-8")).body:
         if isinstance(line, ast.Assign) and any(isinstance(one, ast.Name) and one.id == name for one in line.targets):

@@ -175,7 +175,15 @@ def figures_of(analysis: Analysis) -> Tuple[List[str], List[Row]]:
 
 
 def _range_text(limits: Any) -> str:
-    return with_decimals(range_text(limits))
+    return _cell_text(range_text(limits))
+
+
+def _cell_text(cell: str) -> str:
+    """A number, or a range, in the language of the window."""
+    low, between, high = cell.partition(" to ")
+    if not between:
+        return with_decimals(cell)
+    return translate("Trabecula", "{} to {}").format(with_decimals(low), with_decimals(high))
 
 
 def number_text(value: float) -> str:
@@ -246,7 +254,7 @@ def passport_of(comparison: Comparison, analyses: Sequence[Analysis]) -> Tuple[L
     rows = []
     for (words, *cells), key in zip(lines, TOTAL_KEYS):
         for number, name in enumerate(comparison.names):
-            values = [with_decimals(one) for one in cells[number::count]]
+            values = [_cell_text(one) for one in cells[number::count]]
             rows.append(Row(f"{with_powers(in_words(words))}: {name}", values, key))
     for number in range(1, count):
         found = passport(analyses[0], analyses[number])

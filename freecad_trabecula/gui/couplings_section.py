@@ -14,6 +14,7 @@ from ..core.parameters import Coupling, PathParameters
 from ..core.sites import OPPOSITE_FACES, PRISM_FACES
 from .fields import Changed, ChoiceField, row_widget
 from .form import Form
+from .language import choice
 from .paths_section import PathsSection, paths_summary
 from .qt import Buttons, run_dialog, small_button
 from .transactions import told
@@ -147,7 +148,7 @@ class CouplingsSection(QtGui.QWidget):
             faces.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable)
             faces.setCheckState(QtCore.Qt.Checked if coupling.on else QtCore.Qt.Unchecked)
             self.table.setItem(row, _FACES, faces)
-            self.table.setItem(row, _PAIRS, _item(coupling.association))
+            self.table.setItem(row, _PAIRS, _item(choice(coupling.association)))
         self._showing = False
         if self._couplings:
             self.table.selectRow(min(max(chosen, 0), len(self._couplings) - 1))

@@ -15,6 +15,7 @@ from .command import REGISTERED
 from .doors import DOORS, LATER, NEXT, OPEN, Door, Marked, Seen, door_of, marked
 from .example_projects import open_example
 from .outcome import GREEN, RED
+from .preferences import GROUP, preference
 from .qt import icon, invoke_later, is_alive
 from .status_work import is_working
 from .transactions import say, told
@@ -24,13 +25,13 @@ translate = FreeCAD.Qt.translate
 _NAME, _WIDTH, _PICTURE = "TrabeculaGuideDock", 260, 48  # pixels
 _PAUSE = 400  # ms between two looks at the document: it is only looked at while the guide is seen
 #: Where it is kept whether the guide opens with the workbench.
-SETTINGS, AT_START = "User parameter:BaseApp/Preferences/Mod/Trabecula", "ShowStartPanel"
+AT_START = "ShowStartPanel"
 _SIGNS = {DONE: "✓", NEXT: "➤", OPEN: "○", LATER: "○", STALE: "↻", WORKING: "…", FAILED: "✗"}
 
 
 def opens_at_start() -> bool:
     """Return whether the guide opens when the workbench is first chosen."""
-    return bool(FreeCAD.ParamGet(SETTINGS).GetBool(AT_START, True))
+    return preference(AT_START)
 
 
 class DoorCard(QtGui.QFrame):
@@ -131,7 +132,7 @@ class GuideDock(QtGui.QDockWidget):
             column.addWidget(self.cards[door.name])
         self.at_start = QtGui.QCheckBox(translate("Trabecula", "Show when Trabecula is chosen"))
         self.at_start.setChecked(opens_at_start())
-        self.at_start.toggled.connect(lambda on: FreeCAD.ParamGet(SETTINGS).SetBool(AT_START, on))
+        self.at_start.toggled.connect(lambda on: FreeCAD.ParamGet(GROUP).SetBool(AT_START, on))
         column.addWidget(self.at_start)
         column.addStretch(1)
         return page

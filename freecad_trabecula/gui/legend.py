@@ -83,14 +83,16 @@ def paint_legend(painter: Any, box: Any, one: Titled, ink: Any) -> None:
 
 
 def _paint_scale(painter: Any, box: Any, legend: Legend, ink: Any) -> None:
-    room = 14.0  # half of a number stands out at both ends
+    marks = scale_marks(legend.low, legend.high)
+    widths = [painter.fontMetrics().boundingRect(text).width() for _, text in marks]
+    room = max(widths) / 2 + 2.0  # half of a number stands out at both ends
     bar = QtCore.QRectF(box.left() + room, box.top(), box.width() - 2 * room, _BAR)
     gradient = QtGui.QLinearGradient(bar.left(), 0, bar.right(), 0)
     for k, colour in enumerate(SCALE):
         gradient.setColorAt(k / (len(SCALE) - 1), QtGui.QColor(*colour))
     painter.fillRect(bar, gradient)
     painter.setPen(ink)
-    for share, text in scale_marks(legend.low, legend.high):
+    for share, text in marks:
         x = bar.left() + share * bar.width()
         painter.drawLine(QtCore.QPointF(x, bar.bottom()), QtCore.QPointF(x, bar.bottom() + 3))
         place = QtCore.QRectF(x - 40, bar.bottom() + 2, 80, _LINE)

@@ -141,7 +141,7 @@ def _natural(name: str) -> Tuple[str, int]:
 
 def scaffold_summary(scaffold: ScaffoldParameters) -> str:
     """Return one line about the scaffold."""
-    text = translate("Trabecula", "{} engine").format(scaffold.engine)
+    text = translate("Trabecula", "{} engine").format(choice(scaffold.engine))
     if scaffold.layers.faces:
         text += translate("Trabecula", ", layers on {} faces").format(len(scaffold.layers.faces))
     return text

@@ -116,7 +116,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>Connected pieces of the scaffold</source>
-        <translation>Zusammenhängende Teile des Gerüsts</translation>
+        <translation>Verbundene Gerüstteile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -1323,6 +1323,11 @@
         <translation>über Ecke</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>edge</source>
         <translation>über Kante</translation>
@@ -1468,6 +1473,11 @@
         <translation>zufällige Schichten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>recovery</source>
+        <translation>Behebung</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>remainders</source>
         <translation>größte Reste</translation>
@@ -1496,6 +1506,11 @@
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>sheets</source>
         <translation>Lamellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>size</source>
+        <translation>Größe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -1540,7 +1555,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
         <source>uniform</source>
-        <translation>gleichverteilt</translation>
+        <translation>uniform</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5952,6 +5967,11 @@
         <translation>Eine weitere Richtung: als wäre das Teil gedreht</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>A mesh file (STL, OBJ, PLY, 3MF), or a mesh or solid of the document.</source>
+        <translation>Eine Netzdatei (STL, OBJ, PLY, 3MF) oder ein Netz oder Volumenkörper des Dokuments.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>A mesh, an analysis' CSV, targets or voxels from a file</source>
         <translation>Netz, CSV einer Analyse, Zielwerte oder Voxel aus einer Datei</translation>
@@ -5977,6 +5997,11 @@
         <translation>Alle Summen stimmen, und jede Schicht kann gefüllt werden</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>All ways to work</source>
+        <translation>Alle Arbeitswege</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Analyse</source>
         <translation>Analysieren</translation>
@@ -5985,6 +6010,26 @@
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>Analyse a mesh, a solid or a design to see its slices</source>
         <translation>Netz, Volumenkörper oder Entwurf analysieren, um die Schnitte zu sehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Analyse it</source>
+        <translation>Analysieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Analyse the scaffold</source>
+        <translation>Das Gerüst analysieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Analyse the voxels</source>
+        <translation>Die Voxel analysieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Another bone, or a design: what is compared needs two analyses.</source>
+        <translation>Ein weiterer Knochen oder ein Entwurf: zum Vergleich braucht es zwei Analysen.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -5997,6 +6042,11 @@
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
         <source>As</source>
         <translation>Als</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>As many voxels in every layer along X, Y and Z as the targets ask, in one piece.</source>
+        <translation>So viele Voxel in jeder Schicht entlang X, Y und Z, wie die Zielwerte verlangen, zusammenhängend.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6025,9 +6075,19 @@
         <translation>Zurück</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
         <source>Begin with</source>
         <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Being computed …</source>
+        <translation>Wird berechnet …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6066,6 +6126,11 @@
         <translation>Rand u, v</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Both on shared axes, with their differences and a passport of how near they are.</source>
+        <translation>Beide auf gemeinsamen Achsen, mit ihren Differenzen und einem Pass, wie nahe sie sich sind.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Both routes</source>
         <translation>Beide Wege</translation>
@@ -6076,10 +6141,20 @@
         <translation>Quader</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/renewing.py"/>
+        <source>Bring up to date</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
         <source>Build</source>
         <translation>Erzeugen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Build the scaffold</source>
+        <translation>Das Gerüst erzeugen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
@@ -6097,6 +6172,16 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Cells at its border</source>
         <translation>Zellen am Rand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Change a value and build again: analysis and comparison follow in the plots.</source>
+        <translation>Einen Wert ändern und neu erzeugen: Analyse und Vergleich folgen in den Diagrammen.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Change the design</source>
+        <translation>Den Entwurf ändern</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/edits_list.py"/>
@@ -6184,6 +6269,11 @@
         <translation>Kompakte Schichten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Compensation</source>
         <translation>Korrektur</translation>
@@ -6196,7 +6286,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Connected channels</source>
-        <translation>Zusammenhängende Kanäle</translation>
+        <translation>Verbundene Kanäle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
@@ -6206,7 +6296,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Connected pieces of the scaffold</source>
-        <translation>Zusammenhängende Teile des Gerüsts</translation>
+        <translation>Verbundene Gerüstteile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
@@ -6275,14 +6365,34 @@
         <translation>Abweichung</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design a scaffold in this body</source>
+        <translation>Ein Gerüst in diesem Körper entwerfen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
         <source>Design rods</source>
         <translation>Stäbe entwerfen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design the rods</source>
+        <translation>Die Stäbe entwerfen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design the voxels</source>
+        <translation>Die Voxel entwerfen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Design voxels of a body or an analysis to see their layers</source>
         <translation>Voxel aus einem Körper oder einer Analyse entwerfen, um ihre Schichten zu sehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design voxels that match a bone</source>
+        <translation>Voxel entwerfen, die zu einem Knochen passen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6357,11 +6467,27 @@
         <translation>Hüllkörper und Oberfläche</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Every slice along X, Y and Z is measured: areas, porosity, contours.</source>
+        <translation>Jeder Schnitt entlang X, Y und Z wird vermessen: Flächen, Porosität, Konturen.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Exact on every layer of the three axes</source>
         <translation>Genau in jeder Schicht der drei Achsen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Example</source>
+        <translation>Beispiel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/example_projects.py"/>
+        <source>Example project</source>
+        <translation>Beispielprojekt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
         <source>Export</source>
         <translation>Exportieren</translation>
@@ -6498,9 +6624,14 @@
         <translation>Größter Wert; am Ende</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Guide</source>
+        <translation>Leitfaden</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Heat map</source>
-        <translation>Häufigkeiten</translation>
+        <translation>Dichte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/qt.py"/>
@@ -6516,6 +6647,11 @@
         <location filename="../../freecad_trabecula/gui/install.py"/>
         <source>Install {}</source>
         <translation>{} installieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>It could not be computed: its Status says why.</source>
+        <translation>Es konnte nicht berechnet werden: sein Status sagt, warum.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6590,6 +6726,16 @@
         <translation>Gelöste Linien</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Look at the layers</source>
+        <translation>Die Schichten ansehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Look at the plots</source>
+        <translation>Die Diagramme ansehen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through</source>
         <translation>Durchsehen</translation>
@@ -6613,6 +6759,26 @@
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Mean deviation of the trabeculae, %</source>
         <translation>Mittlere Abweichung der Trabekel, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure a bone</source>
+        <translation>Einen Knochen vermessen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure a bone or a design</source>
+        <translation>Einen Knochen oder Entwurf vermessen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure another</source>
+        <translation>Noch einen vermessen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure the targets</source>
+        <translation>Die Zielwerte messen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6685,7 +6851,13 @@
         <translation>Keine Voxel füllen Schicht {} entlang Z; {} Schichten gehen nicht</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Not now: the steps before it come first</source>
+        <translation>Jetzt nicht: die Schritte davor kommen zuerst</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
         <source>Not now: {}</source>
         <translation>Jetzt nicht: {}</translation>
     </message>
@@ -6746,6 +6918,11 @@
         <translation>Nur von, bis</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Open a small project of this kind, in a new document</source>
+        <translation>Ein kleines Projekt dieser Art in einem neuen Dokument öffnen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Open job</source>
         <translation>Auftrag öffnen</translation>
@@ -6764,6 +6941,11 @@
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>Origin</source>
         <translation>Ursprung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Out of date: click to bring everything up to date.</source>
+        <translation>Veraltet: klicken, um alles zu aktualisieren.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -6827,6 +7009,11 @@
         <translation>Pfade nur dieser Kopplung</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Pick a body</source>
+        <translation>Einen Körper wählen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/picking.py"/>
         <source>Pick a face of {}</source>
         <translation>Eine Fläche von {} anklicken</translation>
@@ -6875,6 +7062,11 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Plates</source>
         <translation>Platten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Point at a diagram: the slice there is drawn beside it and shown in the 3D view.</source>
+        <translation>Auf ein Diagramm zeigen: der Schnitt dort wird daneben gezeichnet und in der 3D-Ansicht gezeigt.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
@@ -7039,7 +7231,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Rods by hand (thesis' estimate)</source>
-        <translation>Stäbe von Hand (Schätzung der Dissertation)</translation>
+        <translation>Stäbe von Hand (Dissertation)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
@@ -7060,6 +7252,11 @@
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Rods or channels</source>
         <translation>Stäbe oder Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Rods through a box, an implant or any solid; channels, porosity, files for a printer.</source>
+        <translation>Stäbe durch einen Quader, ein Implantat oder irgendeinen Volumenkörper; Kanäle, Porosität, Dateien für einen Drucker.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -7105,6 +7302,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sample</source>
         <translation>Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Sample and design side by side, layer by layer, with the counts of both.</source>
+        <translation>Probe und Entwurf nebeneinander, Schicht für Schicht, mit den Anzahlen beider.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7190,6 +7392,11 @@
         <translation>Zuerst ein Drahtmodell oder seine Stellen auswählen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Select the solid to be filled. A click here brings one in from a file; without one a box is filled.</source>
+        <translation>Den Volumenkörper auswählen, der gefüllt wird. Ein Klick hier holt einen aus einer Datei; ohne wird ein Quader gefüllt.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
         <source>Set pore</source>
         <translation>Pore setzen</translation>
@@ -7213,6 +7420,11 @@
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Show bodies solid, no envelope. Select a design, or nothing for all</source>
         <translation>Körper undurchsichtig zeigen, ohne Hüllkörper. Einen Entwurf auswählen, oder nichts für alle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Show when Trabecula is chosen</source>
+        <translation>Zeigen, wenn Trabecula gewählt wird</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7241,6 +7453,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>Sites on</source>
         <translation>Stellen auf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Sites, pores, paths and couplings; the preview and its porosity follow every change. OK keeps the design.</source>
+        <translation>Stellen, Poren, Pfade und Kopplungen; Vorschau und Porosität folgen jeder Änderung. OK behält den Entwurf.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -7275,6 +7492,11 @@
         <translation>Schnittanalyse</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Slice the sample in layers as thick as the voxels are to be: each is a target.</source>
+        <translation>Die Probe in so dicken Schichten schneiden, wie die Voxel werden sollen: jede ist ein Zielwert.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Sliced area</source>
         <translation>Schnittfläche</translation>
@@ -7288,6 +7510,11 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Slices</source>
         <translation>Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Slices, porosity, thickness of trabeculae; two bodies side by side.</source>
+        <translation>Schnitte, Porosität, Trabekeldicke; zwei Körper nebeneinander.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
@@ -7308,6 +7535,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Solid voxels</source>
         <translation>Volle Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Something is on its way already: wait, or cancel it</source>
+        <translation>Etwas läuft bereits: warten oder abbrechen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
@@ -7385,6 +7617,16 @@
         <translation>Tabellen, Bericht und Diagramme der angekreuzten Analysen in einen Ordner</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Take a bone or a design</source>
+        <translation>Einen Knochen oder Entwurf nehmen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Take a sample</source>
+        <translation>Eine Probe nehmen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/edits_list.py"/>
         <source>Take the chosen change back</source>
         <translation>Die gewählte Änderung zurücknehmen</translation>
@@ -7416,9 +7658,24 @@
         <translation>Der Körper, der gefüllt wird</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>The bone that the voxels are to match: a click brings in a mesh or a solid.</source>
+        <translation>Der Knochen, zu dem die Voxel passen sollen: ein Klick holt ein Netz oder einen Volumenkörper.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>The channels are cut out of the body. Volumes, parts and loose pieces are checked.</source>
+        <translation>Die Kanäle werden aus dem Körper geschnitten. Volumen, Teile und lose Teile werden geprüft.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>The contours are being worked out …</source>
         <translation>Die Konturen werden berechnet …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>The design is sliced as the sample was: the second route to its areas.</source>
+        <translation>Der Entwurf wird wie die Probe geschnitten: der zweite Weg zu seinen Flächen.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -7450,6 +7707,11 @@
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>Thickness</source>
         <translation>Dicke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Thickness of the layers, axes, mending; Tb.Th, Tb.Sp, Conn.D and DA if they are ticked.</source>
+        <translation>Dicke der Schichten, Achsen, Reparatur; Tb.Th, Tb.Sp, Conn.D und DA, wenn angekreuzt.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
@@ -7620,6 +7882,11 @@
         <translation>Verlangte Voxel je Zeile, von unten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Voxels in one piece with the bone's sliced areas in every layer along X, Y and Z.</source>
+        <translation>Zusammenhängende Voxel mit den Schnittflächen des Knochens in jeder Schicht entlang X, Y und Z.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Voxels within</source>
         <translation>Voxel innerhalb</translation>
@@ -7635,9 +7902,19 @@
         <translation>Wellenlängen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>What the rods' colours mean</source>
         <translation>Was die Farben der Stäbe bedeuten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>What the scaffold is to be like: a file, or a mesh of the document.</source>
+        <translation>Wie das Gerüst werden soll: eine Datei oder ein Netz des Dokuments.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7648,6 +7925,11 @@
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Why? Formula, source, second route</source>
         <translation>Warum? Formel, Quelle, zweiter Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Write files for a printer, a CAD system or a table; sizes are shown first.</source>
+        <translation>Dateien für einen Drucker, ein CAD-System oder eine Tabelle schreiben; vorher wird die Größe gezeigt.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -7834,6 +8116,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>drawn curves</source>
         <translation>gezeichnete Kurven</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>everything is up to date</source>
+        <translation>alles ist aktuell</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
@@ -8243,6 +8530,11 @@
         <translation>{} Stäbe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>{} was written</source>
         <translation>{} wurde geschrieben</translation>
@@ -8308,6 +8600,19 @@
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
         <translation>Schneiden und jeden Schnitt vermessen. Netz, Volumenkörper, Entwurf oder Analyse auswählen, oder nichts, um eine Datei zu wählen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Body</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Body from a file</source>
+        <translation>Körper aus einer Datei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Bring a solid or a mesh into the document: STEP, IGES, BREP, STL, 3MF. Needs nothing</source>
+        <translation>Einen Volumenkörper oder ein Netz ins Dokument holen: STEP, IGES, BREP, STL, 3MF. Braucht nichts</translation>
     </message>
 </context>
 <context>
@@ -8425,6 +8730,19 @@
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several</source>
         <translation>Drähte oder Volumenkörper aus Schichten machen, nach einer Schätzung. Braucht einen Voxelentwurf; von mehreren einen auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_MeasureFile</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Measure a file</source>
+        <translation>Eine Datei vermessen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice a mesh from a file: STL, OBJ, PLY, 3MF. Needs nothing</source>
+        <translation>Ein Netz aus einer Datei schneiden: STL, OBJ, PLY, 3MF. Braucht nichts</translation>
     </message>
 </context>
 <context>
@@ -8753,6 +9071,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Renew</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Bring up to date</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Compute anew what is out of date; analyses and comparisons follow. Needs a design that was changed</source>
+        <translation>Neu berechnen, was veraltet ist; Analysen und Vergleiche folgen. Braucht einen geänderten Entwurf</translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_Results</name>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -8776,6 +9107,19 @@
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show or hide what is known of a rod. Select one in the 3D view</source>
         <translation>Zeigen oder ausblenden, was von einem Stab bekannt ist. Einen in der 3D-Ansicht auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_SaveAnalyses</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Save tables and plots</source>
+        <translation>Tabellen und Diagramme speichern</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Write tables, report and plots into a folder; of several their comparison. Select analyses, or none for all</source>
+        <translation>Tabellen, Bericht und Diagramme in einen Ordner schreiben; von mehreren ihren Vergleich. Analysen auswählen, oder keine für alle</translation>
     </message>
 </context>
 <context>
@@ -8815,6 +9159,19 @@
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Solid, in a glass envelope, or as an X-ray. Select a design, or nothing for all</source>
         <translation>Undurchsichtig, in gläsernem Hüllkörper oder als Röntgenblick. Einen Entwurf auswählen, oder nichts für alle</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Start</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Show or hide the guide: three ways to work, step by step, and examples. Needs nothing</source>
+        <translation>Den Leitfaden ein- oder ausblenden: drei Arbeitswege, Schritt für Schritt, und Beispiele. Braucht nichts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Start</source>
+        <translation>Start</translation>
     </message>
 </context>
 <context>
@@ -8931,6 +9288,11 @@
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;tudy</source>
         <translation>&amp;Untersuchung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula</source>
+        <translation>Trabecula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>

@@ -1323,6 +1323,11 @@
         <translation>per vertice</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>coupling</source>
+        <translation>accoppiamento</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>edge</source>
         <translation>per spigolo</translation>
@@ -1468,6 +1473,11 @@
         <translation>strati casuali</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>recovery</source>
+        <translation>recupero</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>remainders</source>
         <translation>resti</translation>
@@ -1496,6 +1506,11 @@
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>sheets</source>
         <translation>lamine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/outcome.py"/>
+        <source>size</source>
+        <translation>dimensione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -5952,6 +5967,11 @@
         <translation>Un'altra direzione: come se il pezzo fosse ruotato</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>A mesh file (STL, OBJ, PLY, 3MF), or a mesh or solid of the document.</source>
+        <translation>Un file di mesh (STL, OBJ, PLY, 3MF), o una mesh o un solido del documento.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>A mesh, an analysis' CSV, targets or voxels from a file</source>
         <translation>Mesh, CSV di un'analisi, obiettivi o voxel da un file</translation>
@@ -5977,6 +5997,11 @@
         <translation>Tutte le somme sono giuste e ogni strato si può riempire</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>All ways to work</source>
+        <translation>Tutti i modi di lavorare</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Analyse</source>
         <translation>Analizza</translation>
@@ -5985,6 +6010,26 @@
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>Analyse a mesh, a solid or a design to see its slices</source>
         <translation>Analizzare una mesh, un solido o un progetto per vederne le sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Analyse it</source>
+        <translation>Analizza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Analyse the scaffold</source>
+        <translation>Analizza lo scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Analyse the voxels</source>
+        <translation>Analizza i voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Another bone, or a design: what is compared needs two analyses.</source>
+        <translation>Un altro osso, o un progetto: per confrontare servono due analisi.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -5997,6 +6042,11 @@
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
         <source>As</source>
         <translation>Come</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>As many voxels in every layer along X, Y and Z as the targets ask, in one piece.</source>
+        <translation>In ogni strato lungo X, Y e Z tanti voxel quanti ne chiedono gli obiettivi, in un solo pezzo.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6025,9 +6075,19 @@
         <translation>Indietro</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Begin</source>
+        <translation>Inizia</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/curve_dialog.py"/>
         <source>Begin with</source>
         <translation>Iniziare da</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Being computed …</source>
+        <translation>In calcolo …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6066,6 +6126,11 @@
         <translation>Bordo u, v</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Both on shared axes, with their differences and a passport of how near they are.</source>
+        <translation>Entrambi su assi comuni, con le differenze e un passaporto di quanto sono vicini.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Both routes</source>
         <translation>Le due vie</translation>
@@ -6076,10 +6141,20 @@
         <translation>Riquadro</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/renewing.py"/>
+        <source>Bring up to date</source>
+        <translation>Aggiorna</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
         <source>Build</source>
         <translation>Costruisci</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Build the scaffold</source>
+        <translation>Costruisci lo scaffold</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
@@ -6097,6 +6172,16 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Cells at its border</source>
         <translation>Celle sul bordo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Change a value and build again: analysis and comparison follow in the plots.</source>
+        <translation>Cambiare un valore e ricostruire: analisi e confronto seguono nei grafici.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Change the design</source>
+        <translation>Cambia il progetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/edits_list.py"/>
@@ -6182,6 +6267,11 @@
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>Compact layers</source>
         <translation>Strati compatti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Compare</source>
+        <translation>Confronta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6275,14 +6365,34 @@
         <translation>Scostamento</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design a scaffold in this body</source>
+        <translation>Progetta uno scaffold in questo corpo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
         <source>Design rods</source>
         <translation>Progetta aste</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design the rods</source>
+        <translation>Progetta le aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design the voxels</source>
+        <translation>Progetta i voxel</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
         <source>Design voxels of a body or an analysis to see their layers</source>
         <translation>Progettare voxel da un corpo o da un'analisi per vederne gli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Design voxels that match a bone</source>
+        <translation>Progetta voxel simili a un osso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6357,11 +6467,27 @@
         <translation>Involucro e superficie</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Every slice along X, Y and Z is measured: areas, porosity, contours.</source>
+        <translation>Ogni sezione lungo X, Y e Z è misurata: aree, porosità, contorni.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Exact on every layer of the three axes</source>
         <translation>Esatto in ogni strato dei tre assi</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Example</source>
+        <translation>Esempio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/example_projects.py"/>
+        <source>Example project</source>
+        <translation>Progetto d'esempio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
         <source>Export</source>
         <translation>Esporta</translation>
@@ -6498,9 +6624,14 @@
         <translation>Valore massimo; alla fine</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Guide</source>
+        <translation>Guida</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Heat map</source>
-        <translation>Mappa di densità</translation>
+        <translation>Densità</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/qt.py"/>
@@ -6516,6 +6647,11 @@
         <location filename="../../freecad_trabecula/gui/install.py"/>
         <source>Install {}</source>
         <translation>Installa {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>It could not be computed: its Status says why.</source>
+        <translation>Non si è potuto calcolare: il suo Status dice perché.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6590,6 +6726,16 @@
         <translation>Linee risolte</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Look at the layers</source>
+        <translation>Guarda gli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Look at the plots</source>
+        <translation>Guarda i grafici</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Look through</source>
         <translation>Trasparenza</translation>
@@ -6613,6 +6759,26 @@
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Mean deviation of the trabeculae, %</source>
         <translation>Scarto medio delle trabecole, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure a bone</source>
+        <translation>Misura un osso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure a bone or a design</source>
+        <translation>Misura un osso o un progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure another</source>
+        <translation>Misurane un altro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Measure the targets</source>
+        <translation>Misura gli obiettivi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -6685,7 +6851,13 @@
         <translation>Nessun voxel riempie lo strato {} lungo Z; {} strati non riescono</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Not now: the steps before it come first</source>
+        <translation>Non ora: prima i passi che lo precedono</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
         <source>Not now: {}</source>
         <translation>Non ora: {}</translation>
     </message>
@@ -6746,6 +6918,11 @@
         <translation>Solo da, a</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Open a small project of this kind, in a new document</source>
+        <translation>Aprire un piccolo progetto di questo tipo, in un nuovo documento</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Open job</source>
         <translation>Apri lavoro</translation>
@@ -6764,6 +6941,11 @@
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>Origin</source>
         <translation>Origine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Out of date: click to bring everything up to date.</source>
+        <translation>Non aggiornato: cliccare per aggiornare tutto.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -6827,6 +7009,11 @@
         <translation>Percorsi di questo solo accoppiamento</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Pick a body</source>
+        <translation>Scegli un corpo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/picking.py"/>
         <source>Pick a face of {}</source>
         <translation>Indicare una faccia di {}</translation>
@@ -6875,6 +7062,11 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Plates</source>
         <translation>Piastre</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Point at a diagram: the slice there is drawn beside it and shown in the 3D view.</source>
+        <translation>Indicare un grafico: la sezione in quel punto è disegnata accanto e mostrata nella vista 3D.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
@@ -7062,6 +7254,11 @@
         <translation>Aste o canali</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Rods through a box, an implant or any solid; channels, porosity, files for a printer.</source>
+        <translation>Aste in un parallelepipedo, un impianto o un solido qualsiasi; canali, porosità, file per una stampante.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>Rounds</source>
         <translation>Passate</translation>
@@ -7105,6 +7302,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sample</source>
         <translation>Campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Sample and design side by side, layer by layer, with the counts of both.</source>
+        <translation>Campione e progetto affiancati, strato per strato, con i conteggi di entrambi.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -7190,6 +7392,11 @@
         <translation>Selezionare prima un telaio o i suoi siti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Select the solid to be filled. A click here brings one in from a file; without one a box is filled.</source>
+        <translation>Selezionare il solido da riempire. Un clic qui ne porta uno da un file; senza, si riempie un parallelepipedo.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
         <source>Set pore</source>
         <translation>Imposta poro</translation>
@@ -7213,6 +7420,11 @@
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Show bodies solid, no envelope. Select a design, or nothing for all</source>
         <translation>Mostrare i corpi solidi, senza involucro. Selezionare un progetto, o nulla per tutti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Show when Trabecula is chosen</source>
+        <translation>Mostra quando si sceglie Trabecula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -7241,6 +7453,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>Sites on</source>
         <translation>Siti su</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Sites, pores, paths and couplings; the preview and its porosity follow every change. OK keeps the design.</source>
+        <translation>Siti, pori, percorsi e accoppiamenti; anteprima e porosità seguono ogni modifica. OK conserva il progetto.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -7275,6 +7492,11 @@
         <translation>Analisi per sezioni</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Slice the sample in layers as thick as the voxels are to be: each is a target.</source>
+        <translation>Sezionare il campione in strati spessi quanto dovranno essere i voxel: ognuno è un obiettivo.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Sliced area</source>
         <translation>Area sezionata</translation>
@@ -7288,6 +7510,11 @@
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Slices</source>
         <translation>Sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Slices, porosity, thickness of trabeculae; two bodies side by side.</source>
+        <translation>Sezioni, porosità, spessore delle trabecole; due corpi affiancati.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
@@ -7308,6 +7535,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Solid voxels</source>
         <translation>Voxel pieni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>Something is on its way already: wait, or cancel it</source>
+        <translation>Qualcosa è già in corso: aspettare, o annullarlo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/why.py"/>
@@ -7385,6 +7617,16 @@
         <translation>Tabelle, relazione e grafici di ciò che è spuntato, in una cartella</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Take a bone or a design</source>
+        <translation>Prendi un osso o un progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Take a sample</source>
+        <translation>Prendi un campione</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/edits_list.py"/>
         <source>Take the chosen change back</source>
         <translation>Annullare la modifica scelta</translation>
@@ -7416,9 +7658,24 @@
         <translation>Il corpo da riempire</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>The bone that the voxels are to match: a click brings in a mesh or a solid.</source>
+        <translation>L'osso cui i voxel devono somigliare: un clic porta una mesh o un solido.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>The channels are cut out of the body. Volumes, parts and loose pieces are checked.</source>
+        <translation>I canali sono tagliati dal corpo. Volumi, parti e pezzi staccati sono controllati.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
         <source>The contours are being worked out …</source>
         <translation>Calcolo dei contorni in corso …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>The design is sliced as the sample was: the second route to its areas.</source>
+        <translation>Il progetto è sezionato come il campione: la seconda via alle sue aree.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -7450,6 +7707,11 @@
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>Thickness</source>
         <translation>Spessore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Thickness of the layers, axes, mending; Tb.Th, Tb.Sp, Conn.D and DA if they are ticked.</source>
+        <translation>Spessore degli strati, assi, riparazione; Tb.Th, Tb.Sp, Conn.D e DA se spuntati.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
@@ -7620,6 +7882,11 @@
         <translation>Voxel richiesti in ogni riga, dal basso</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Voxels in one piece with the bone's sliced areas in every layer along X, Y and Z.</source>
+        <translation>Voxel in un solo pezzo con le aree sezionate dell'osso in ogni strato lungo X, Y e Z.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Voxels within</source>
         <translation>Voxel entro</translation>
@@ -7635,9 +7902,19 @@
         <translation>Lunghezze d'onda</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
+        <source>What do you want to do?</source>
+        <translation>Che cosa si vuole fare?</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>What the rods' colours mean</source>
         <translation>Che cosa indicano i colori delle aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>What the scaffold is to be like: a file, or a mesh of the document.</source>
+        <translation>Come deve essere lo scaffold: un file, o una mesh del documento.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -7648,6 +7925,11 @@
         <location filename="../../freecad_trabecula/gui/why.py"/>
         <source>Why? Formula, source, second route</source>
         <translation>Perché? Formula, fonte, seconda via</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>Write files for a printer, a CAD system or a table; sizes are shown first.</source>
+        <translation>Scrivere file per una stampante, un sistema CAD o una tabella; prima si vedono le dimensioni.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -7834,6 +8116,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>drawn curves</source>
         <translation>curve disegnate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>everything is up to date</source>
+        <translation>tutto è aggiornato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/legend.py"/>
@@ -8243,6 +8530,11 @@
         <translation>{} aste</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <source>{} to {}</source>
+        <translation>da {} a {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>{} was written</source>
         <translation>{} è stato scritto</translation>
@@ -8308,6 +8600,19 @@
         <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
         <source>Slice and measure every slice. Select a mesh, a solid, a design or an analysis, or nothing to choose a file</source>
         <translation>Sezionare e misurare ogni sezione. Selezionare una mesh, un solido, un progetto o un'analisi, o nulla per scegliere un file</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Body</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Body from a file</source>
+        <translation>Corpo da un file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Bring a solid or a mesh into the document: STEP, IGES, BREP, STL, 3MF. Needs nothing</source>
+        <translation>Portare un solido o una mesh nel documento: STEP, IGES, BREP, STL, 3MF. Non serve nulla</translation>
     </message>
 </context>
 <context>
@@ -8425,6 +8730,19 @@
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Make wires or solids of layers, after an estimate. Needs a voxel design; select one of several</source>
         <translation>Fare fili o solidi di strati, dopo una stima. Serve un progetto a voxel; selezionarne uno tra più</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_MeasureFile</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Measure a file</source>
+        <translation>Misura un file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Slice a mesh from a file: STL, OBJ, PLY, 3MF. Needs nothing</source>
+        <translation>Sezionare una mesh da un file: STL, OBJ, PLY, 3MF. Non serve nulla</translation>
     </message>
 </context>
 <context>
@@ -8753,6 +9071,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Renew</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Bring up to date</source>
+        <translation>Aggiorna</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Compute anew what is out of date; analyses and comparisons follow. Needs a design that was changed</source>
+        <translation>Ricalcolare ciò che non è aggiornato; analisi e confronti seguono. Serve un progetto cambiato</translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_Results</name>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -8776,6 +9107,19 @@
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Show or hide what is known of a rod. Select one in the 3D view</source>
         <translation>Mostrare o nascondere ciò che si sa di un'asta. Selezionarne una nella vista 3D</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_SaveAnalyses</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Save tables and plots</source>
+        <translation>Salva tabelle e grafici</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_commands.py"/>
+        <source>Write tables, report and plots into a folder; of several their comparison. Select analyses, or none for all</source>
+        <translation>Scrivere tabelle, relazione e grafici in una cartella; di più analisi il confronto. Selezionare analisi, o nessuna per tutte</translation>
     </message>
 </context>
 <context>
@@ -8815,6 +9159,19 @@
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
         <source>Solid, in a glass envelope, or as an X-ray. Select a design, or nothing for all</source>
         <translation>Solido, in un involucro di vetro, o ai raggi X. Selezionare un progetto, o nulla per tutti</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_Start</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Show or hide the guide: three ways to work, step by step, and examples. Needs nothing</source>
+        <translation>Mostrare o nascondere la guida: tre modi di lavorare, passo per passo, ed esempi. Non serve nulla</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/start_commands.py"/>
+        <source>Start</source>
+        <translation>Avvio</translation>
     </message>
 </context>
 <context>
@@ -8931,6 +9288,11 @@
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>S&amp;tudy</source>
         <translation>S&amp;tudio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/commands.py"/>
+        <source>Trabecula</source>
+        <translation>Trabecula</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
