@@ -24,8 +24,10 @@ from freecad_trabecula.gui.analysis_dock import KIND, dock_of_window, show_analy
 from freecad_trabecula.gui.analysis_plots import KINDS, diagram_of
 from freecad_trabecula.gui.analysis_saving import save
 from freecad_trabecula.gui.chart import nice_steps
+from freecad_trabecula.gui.commands import COMMANDS
 from freecad_trabecula.gui.document_work import is_busy
-from freecad_trabecula.gui.slice_view import PLATE, ROD, plane_corners
+from freecad_trabecula.gui.preferences import preferred_colour
+from freecad_trabecula.gui.slice_view import plane_corners
 
 COARSE = SliceParameters(thickness=0.5)
 
@@ -216,7 +218,8 @@ class DockTest(AnalysisCase):
                 name = QtGui.QColor(image.pixel(x, y)).name().upper()
                 counts[name] = counts.get(name, 0) + 1
         paper = QtGui.QColor(self.dock.view.palette().color(QtGui.QPalette.Base)).name().upper()
-        ring, body = counts.get(ROD, 0) + counts.get(PLATE, 0), self.dock.view.slice
+        colours = [preferred_colour(name).upper() for name in ("ColourRodContours", "ColourPlateContours")]
+        ring, body = sum(counts.get(colour, 0) for colour in colours), self.dock.view.slice
         scale = self.dock.view._scale(body)[0]
         self.assertLess(abs(ring / (float(body.areas.sum()) * scale**2) - 1), 0.1)  # borders are smoothed
         self.assertGreater(counts.get(paper, 0), ring / 10)
@@ -335,8 +338,8 @@ class OneClickTest(AnalysisCase):
     def test_a_selection_that_cannot_be_sliced_is_told(self):
         self.select(self.document.addObject("App::FeaturePython", "Nothing"))
         FreeCADGui.runCommand("Trabecula_AnalyseNow")
-        self.assertEqual(len(self.dialogs), 1)
-        self.assertIn("select one", self.dialogs[0])
+        self.assertEqual((self.dialogs, is_busy()), ([], False))
+        self.assertIn("select a network", COMMANDS["Trabecula_AnalyseNow"].reason())
 
 
 class NumbersTest(AnalysisCase):
