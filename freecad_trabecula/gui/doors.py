@@ -95,7 +95,10 @@ def _pair(first: Any, second: Any) -> Click:
 
 
 def _are_seen(seen: Seen, *analyses: Any) -> str:
-    return _if(all(one is not None and one.Name in seen.plots for one in analyses))
+    """The state of analyses whose plots are seen; none if one is not."""
+    if any(one is None or one.Name not in seen.plots for one in analyses):
+        return NONE
+    return _worst(list(analyses), len(analyses))
 
 
 def _worst(analyses: List[Any], least: int) -> str:
@@ -258,7 +261,8 @@ def _voxel_steps() -> Tuple[Step, ...]:
             translate("Trabecula", "Design the voxels"),
             translate("Trabecula", "As many voxels in every layer along X, Y and Z as the targets ask, in one piece."),
             lambda on, seen: state_of(on.voxels),
-            lambda on: ("Trabecula_Voxels", [one for one in (_targets(on), *on.bodies) if one is not None][:1]),
+            # the body rather than its analysis: it can be seen, and the design takes its texture
+            lambda on: ("Trabecula_Voxels", [one for one in (*on.bodies, _targets(on)) if one is not None][:1]),
         ),
         Step(
             "layers",

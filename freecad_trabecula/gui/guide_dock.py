@@ -264,6 +264,7 @@ class GuideDock(QtGui.QDockWidget):
             say(translate("Trabecula", "Not now: {}").format(reason))
         else:
             FreeCADGui.runCommand(name)
+        FreeCADGui.Selection.clearSelection()  # the command has read it; it would colour what is designed
         invoke_later(self.look)
 
 

@@ -12,7 +12,9 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-_SETTINGS, _TO_LAY = "User parameter:BaseApp/Preferences/Mod/Trabecula", "LayTasksBesideView"
+from .preferences import GROUP
+
+_TO_LAY = "LayTasksBesideView"  # beside the preferences: whether it is still to be done
 _WIDTH = 400  # pixels that our panels need
 
 
@@ -31,7 +33,7 @@ def lies_over_view(dock: Any) -> bool:
 
 def lay_tasks_beside_view() -> None:
     """Lay the Tasks behind the tree, if they lie over the view and that was never done before."""
-    settings, dock = FreeCAD.ParamGet(_SETTINGS), _dock("Tasks")
+    settings, dock = FreeCAD.ParamGet(GROUP), _dock("Tasks")
     if dock is None or not dock.isVisible() or not lies_over_view(dock) or not settings.GetBool(_TO_LAY, True):
         return
     # FreeCAD has no call for it: its command turns the dock under the mouse
