@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Trabecular designs of real bone, seed after seed: exact, parts, cavities, contacts, trabeculae, CPU seconds.
 
-    python3 tools/voxel_runs.py seeds [--seeds 20] [--contacts edge] [--trabeculae off] [--pictures DIR]
+    python3 tools/voxel_runs.py seeds [--seeds 20] [--contacts edge] [--trabeculae off] [--thickness 1] [--void 1]
     python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled; by all strategies
     python3 tools/voxel_runs.py growth --edges 50 100 200
 
 Samples are the shrew cube and the human bone at 0.1 mm. Times are CPU seconds of one thread; the texture is fitted once
-for a sample, and its time is told apart. Pictures: layers of the bone above those of designs.
+for a sample, and its time is told apart. ``--pictures DIR``: layers of the bone above those of designs.
 """
 
 from __future__ import annotations
@@ -43,6 +43,7 @@ from freecad_trabecula.core.voxels.targets import Targets  # noqa: E402
 from freecad_trabecula.core.voxels.trabeculae import mean_deviation, trabecula_counts  # noqa: E402
 from freecad_trabecula.core.voxels.variants import chance_overlap, overlaps  # noqa: E402
 from freecad_trabecula.core.voxels.verification import layer_errors  # noqa: E402
+from freecad_trabecula.errors import ExactnessError  # noqa: E402
 
 DATA = Path(os.environ.get("TRABECULA_DATA") or ROOT.parent / "shared" / "data")
 SAMPLES = {"shrew": "shrew_cube_10mm.stl", "human": "trab_ior_10mm_13MB.stl"}
@@ -68,9 +69,9 @@ def line(name, voxels, targets, seconds, mask=None):
 
 def seeds(options):
     """Design both samples with every seed."""
-    trabecular.design(Targets([4] * 4, [4] * 4, [4] * 4), VoxelParameters())  # tables are made once
+    trabecular.design(Targets([16] * 8, [16] * 8, [16] * 8), VoxelParameters())  # tables are made once
     for name, file in SAMPLES.items():
-        chosen = {"contacts": options.contacts, "trabeculae": options.trabeculae}
+        chosen = {word: getattr(options, word) for word in ("contacts", "trabeculae", "thickness", "void")}
         targets = read_targets(options.data / file, VoxelParameters(**chosen))
         start = time.process_time()
         texture = trabecular.chosen_texture(targets, VoxelParameters())
@@ -79,15 +80,21 @@ def seeds(options):
               f"fitted in {time.process_time() - start:.2f} s")  # fmt: skip
         designs, times, good, deviations = [], [], 0, []
         for seed in range(1, options.seeds + 1):
-            voxels, seconds = made(targets, VoxelParameters(seed=seed, **chosen))
+            try:
+                voxels, seconds = made(targets, VoxelParameters(seed=seed, **chosen))
+            except ExactnessError as error:
+                print(f"{name} seed {seed}: refused: {error}", flush=True)
+                continue
             good += line(f"{name} seed {seed}", voxels, targets, seconds)
             pairs = zip(trabecula_counts(voxels), trabecula_counts(targets.sample))
             deviations.append([100 * mean_deviation(count, goal) for count, goal in pairs])
             designs.append(voxels)
             times.append(seconds)
+        if not designs:
+            continue
         shared = overlaps(designs)[~np.eye(len(designs), dtype=bool)]
         x, y, z = np.mean(deviations, 0)
-        print(f"{name}: {good} of {len(designs)} exact in one part without cavities; median {np.median(times):.2f} s, "
+        print(f"{name}: {good} of {options.seeds} exact in one part without cavities; median {np.median(times):.2f} s, "
               f"longest {max(times):.2f} s; trabeculae per layer off by {x:.1f} / {y:.1f} / {z:.1f} % along X / Y / Z, "
               f"{np.mean(deviations):.1f} % together")  # fmt: skip
         if len(designs) > 1:
@@ -181,6 +188,8 @@ def main():
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--contacts", default="edge", choices=("any", "edge", "corner"))
     parser.add_argument("--trabeculae", default="off")
+    parser.add_argument("--thickness", type=int, default=1)
+    parser.add_argument("--void", type=int, default=1)
     parser.add_argument("--edges", type=int, nargs="+", default=[50, 100, 200])
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--data", type=Path, default=DATA)

@@ -225,7 +225,8 @@ class ExactMoves:
             tries += 1
             wrong = int(self.lacking[0].sum())
             sign = 1 if wrong > 0 else -1
-            layer = int(np.argsort(-sign * self.lacking[0], kind="stable")[tries % 8 if tries > 64 else 0])
+            neediest = np.argsort(-sign * self.lacking[0], kind="stable")[:8]
+            layer = int(neediest[tries % len(neediest) if tries > 64 else 0])
             needed = max(1, min(abs(wrong), sign * int(self.lacking[0][layer])))
             chosen = self._free_places(0, layer, sign, needed)
             self.flip(chosen)
@@ -272,29 +273,22 @@ class ExactMoves:
         cost = np.maximum(low[lines], 0) + np.maximum(-high[lines], 0)
         lines = lines[np.argsort(cost, kind="stable")]
         needed = min(int(self.lacking[axis][short]), -int(self.lacking[axis][full]))
-        moved = 0
         for first in range(0, len(lines), _FEW):
             some = lines[first : first + _FEW]
             some = some[self.solid.addable(add[some])]
             some = some[self.solid.removable(remove[some])]
-            for line in some:
-                moved += self._pair(add[line : line + 1], remove[line : line + 1])
-                if moved >= max(needed, 1):
-                    return True
-            if moved:
+            some = some[self.solid.apart(add[some])][: max(needed, 1)]
+            if self._pairs(add[some], remove[some]):
                 return True
         return False
 
-    def _pair(self, add: np.ndarray, remove: np.ndarray) -> bool:
-        """Add one voxel and remove another if both may be, one after the other; tell if so."""
-        if not self.solid.addable(add)[0]:
-            return False
+    def _pairs(self, add: np.ndarray, remove: np.ndarray) -> int:
+        """Add voxels (C,) and remove others on the same lines, which are apart; return how many pairs may be."""
         self.flip(add)
-        if self.solid.removable(remove)[0]:
-            self.flip(remove)
-            return True
-        self.flip(add)  # the voxel just added may always go again
-        return False
+        good = self.solid.removable(remove)
+        self.flip(remove[good])
+        self.flip(add[~good])  # a voxel just added may always go again
+        return int(good.sum())
 
     def _relay(self, axis: int, short: int, full: int, turn: int) -> bool:
         """Add in the short layer and remove from a third on a line, so that the next pair is another one."""
@@ -310,7 +304,7 @@ class ExactMoves:
         lines = lines[self.solid.addable(add[lines])]
         lines = lines[self.solid.removable(remove[lines])]
         lines = lines[np.argsort(-high[lines], kind="stable")]
-        return any(self._pair(add[line : line + 1], remove[line : line + 1]) for line in lines)
+        return any(self._pairs(add[line : line + 1], remove[line : line + 1]) for line in lines)
 
     def _freely(self, axis: int, short: int, full: int) -> bool:
         """Add anywhere in one layer and remove anywhere in the other; tell if it was possible."""

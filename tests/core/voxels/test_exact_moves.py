@@ -80,3 +80,12 @@ def test_what_cannot_be_is_refused_with_the_layer_that_is_furthest_off():
         target[0] = target[-1] = 1
     with pytest.raises(ExactnessError, match="layer .* along"):
         moves_to(block(0, 1), targets).run()
+
+
+def test_a_box_of_fewer_layers_than_are_tried_in_turn_ends_in_a_refusal():
+    # 27 voxels of 27, and every layer is to have 10 instead of 9
+    shape = (3, 3, 3)
+    full = np.ones(shape, bool)
+    moves = ExactMoves(Solid(full), np.zeros(shape, np.float32), [np.zeros(3)] * 3, [np.full(3, 10)] * 3)
+    with pytest.raises(ExactnessError, match="off by"):
+        moves.run()
