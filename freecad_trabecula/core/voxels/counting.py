@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How many solutions one equation, and how many designs one row, has, exactly (thesis 6.2.2.1, 6.2.4); all of a design.
 
-What cannot be counted exactly (tables, layers) is estimated by ``sampled_tables`` and ``sampled_layers``.
+What cannot be counted exactly (tables, layers, designs) is estimated with a standard error by ``entropy_counts``,
+``sampled_tables`` and ``sampled_layers``.
 """
 
 from __future__ import annotations
@@ -16,15 +17,15 @@ from ..parameters import require
 from ..progress import Progress, part, silent
 from ..streams import Stream
 from .design import VoxelDesign
-from .feasibility import caps_of
+from .entropy_counts import count_by_entropy
+from .feasibility import caps_of, table_shortfall
 from .log_counts import LogCount
 from .sampled_layers import count_layers
 from .sampled_tables import count_tables
 from .targets import Targets
 
-_SAMPLES = 24  # of a table: 3 s for 100 x 100
+_SAMPLES = 24  # of a table that is drawn row by row: 3 s for 100 x 100
 _LAYER_SAMPLES = 6  # of each layer of a design; their errors are independent and add as squares
-_STEPS = 60  # of Newton's method
 
 
 def free_solutions(n: int, k: int) -> int:
@@ -148,104 +149,52 @@ def count_systems(design: VoxelDesign, progress: Progress = silent) -> SystemCou
     require(design.mask is None, "designs are counted in boxes, not in", "a mask")
     targets, seed = design.targets, design.parameters.seed
     cap_alpha, cap_beta = caps_of(targets, design.parameters)
-    streams = [Stream(seed, "voxels", "counting", name) for name in ("alpha", "beta", "layers")]
+    streams = [Stream(seed, "voxels", "counting", name) for name in ("alpha", "beta", "layers", "designs")]
     return SystemCounts(
-        count_tables(targets.c, targets.d, cap_alpha, _SAMPLES, streams[0], part(progress, 0.0, 0.4)),
-        count_tables(targets.c, targets.e, cap_beta, _SAMPLES, streams[1], part(progress, 0.4, 0.75)),
-        count_layers(design.alpha, design.beta, _LAYER_SAMPLES, streams[2], part(progress, 0.75, 1.0)),
-        count_designs(targets),
+        _tables(targets.c, targets.d, cap_alpha, streams[0], part(progress, 0.0, 0.2)),
+        _tables(targets.c, targets.e, cap_beta, streams[1], part(progress, 0.2, 0.4)),
+        count_layers(design.alpha, design.beta, _LAYER_SAMPLES, streams[2], part(progress, 0.4, 0.8)),
+        count_designs(targets, streams[3], part(progress, 0.8, 1.0)),
     )
 
 
 def counting_record(design: VoxelDesign, progress: Progress = silent) -> Dict[str, Any]:
     """Return ``count_systems`` as plain values for a report."""
     counts = count_systems(design, progress)
-    names = ("tables alpha", "tables beta", "designs with this design's tables", "designs with these counts (entropy)")
+    names = ("tables alpha", "tables beta", "designs with this design's tables", "designs with these counts")
     return {
         name: {
             "log10": count.log10 if math.isfinite(count.log10) else None,  # no sample came to its end
             "standard_error": None if math.isnan(count.standard_error) else count.standard_error,
             "samples": count.samples,
+            "effective": count.effective if math.isfinite(count.effective) else None,
         }
         for name, count in zip(names, counts)
     }
 
 
-def count_designs(targets: Targets) -> LogCount:
-    """Return about how many designs have these counts along X, Y and Z: entropy and a Gaussian factor, no sampling.
-
-    Cells are taken as independent, with the chances that make the counts their means and the entropy largest; the
-    chance that the sums come out exactly is that of a Gaussian with their covariance (Barvinok, Hartigan 2010,
-    doi:10.1016/j.aam.2010.01.004). For tables and layers, where it can be checked, it is too high by less than 1 in the
-    logarithm; there is no standard error.
+def count_designs(targets: Targets, stream: Stream, progress: Progress = silent) -> LogCount:
+    """Return how many designs have these counts along X, Y and Z, by ``entropy_counts``.
 
     Parameters
     ----------
     targets : Targets
+    stream : Stream
+    progress : callable
+
+    Returns
+    -------
+    LogCount
+        nan where the counts leave some cells no choice, so that there is no law of largest entropy.
     """
-    counts = [np.asarray(c, float) for c in (targets.c, targets.e, targets.d)]
-    sizes = [targets.layer_sizes[2 - k] for k in range(3)]
-    if any(((c == 0) | (c == size)).any() for c, size in zip(counts, sizes)):
-        return _designs_of_open_layers(targets)
-    offsets = [np.zeros(len(c)) for c in counts]
-    density = targets.total / math.prod(len(c) for c in counts)
-    offsets[0] += math.log(density / (1 - density))
-    for _ in range(_STEPS):
-        log_odds = _sum_of(offsets)
-        chance = 1 / (1 + np.exp(-log_odds))
-        covariance = _covariance(chance * (1 - chance))
-        wrong = np.concatenate([c - chance.sum(_others(k)) for k, c in enumerate(counts)])
-        if np.abs(wrong).max() < 1e-6:
-            break
-        step = np.linalg.lstsq(covariance, wrong, rcond=1e-12)[0]
-        step *= min(1.0, 1.5 / max(float(np.abs(step).max()), 1e-12))
-        start = 0
-        for k, c in enumerate(counts):
-            offsets[k] = offsets[k] + step[start : start + len(c)]
-            start += len(c)
-    entropy = float(np.logaddexp(0, log_odds).sum()) - sum(float(o @ c) for o, c in zip(offsets, counts))
-    # the three sums share one total: two of the rows are determined by the others
-    p, m, n = (len(c) for c in counts)
-    kept = [k for k in range(p + m + n) if k not in (p, p + m)]
-    determinant = float(np.linalg.slogdet(covariance[np.ix_(kept, kept)])[1])
-    value = (entropy - 0.5 * (determinant + len(kept) * math.log(2 * math.pi))) / math.log(10)
-    return LogCount(value, math.nan, 0, math.nan)
+    found = count_by_entropy([targets.c, targets.e, targets.d], 1, stream, progress)
+    return LogCount(math.nan, math.nan, 0, math.nan) if found is None else found
 
 
-def _designs_of_open_layers(targets: Targets) -> LogCount:
-    """The count without layers that are empty or full: in those nothing is left to choose."""
-    for axis in range(3):
-        size = targets.layer_sizes[axis]
-        fixed = np.flatnonzero((targets.counts[axis] == 0) | (targets.counts[axis] == size))
-        if not len(fixed):
-            continue
-        if len(fixed) == targets.layers[axis]:
-            return LogCount(0.0, math.nan, 0, math.nan)
-        counts = list(targets.counts)
-        for other in range(3):
-            if other != axis:
-                full = int((counts[axis][fixed] == size).sum())
-                counts[other] = counts[other] - full * (size // targets.layers[other])
-        counts[axis] = np.delete(counts[axis], fixed)
-        return count_designs(Targets(*counts, targets.voxel))
-    return count_designs(targets)
-
-
-def _sum_of(offsets: Sequence[np.ndarray]) -> np.ndarray:
-    return offsets[0][:, None, None] + offsets[1][None, :, None] + offsets[2][None, None, :]
-
-
-def _others(axis: int) -> tuple:
-    return tuple(k for k in range(3) if k != axis)
-
-
-def _covariance(variance: np.ndarray) -> np.ndarray:
-    """Covariance of the sums along z, y, x, (P + M + N)^2, of independent cells."""
-    p, m, n = variance.shape
-    covariance = np.zeros((p + m + n, p + m + n))
-    covariance[:p, p : p + m] = variance.sum(2)
-    covariance[:p, p + m :] = variance.sum(1)
-    covariance[p : p + m, p + m :] = variance.sum(0)
-    covariance += covariance.T
-    np.fill_diagonal(covariance, np.concatenate([variance.sum(_others(k)) for k in range(3)]))
-    return covariance
+def _tables(rows: np.ndarray, columns: np.ndarray, cap: int, stream: Stream, progress: Progress) -> LogCount:
+    """Return how many tables 0..cap have these sums: by entropy, or row by row where that says nothing."""
+    if rows.sum() == columns.sum() and not table_shortfall(rows, columns, cap):
+        found = count_by_entropy([rows, columns], cap, stream, progress)
+        if found is not None:
+            return found
+    return count_tables(rows, columns, cap, _SAMPLES, stream, progress)

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How many layers given tables have: sequential importance sampling of 0/1 matrices with given sums.
 
-Column after column, the fullest first, its voxels are drawn by a conditional Poisson law with the odds r / (left - r)
-of rows that still need r in the columns left (Chen, Diaconis, Holmes, Liu 2005, doi:10.1198/016214504000001303). All
-samples of all layers are drawn together.
+Column after column, the fullest first, its voxels are drawn by a conditional Poisson law (Chen, Diaconis, Holmes, Liu
+2005, doi:10.1198/016214504000001303). The odds of a row that still needs r are those of its completions: the ways to
+put r - 1 beside the ways to put r into the columns left, each column weighted by its odds of largest entropy. (Their
+odds r / (left - r) take all columns as alike, and miss most designs where some are nearly empty and others full.)
+Samples of many layers are drawn together.
 """
 
 from __future__ import annotations
@@ -18,6 +20,9 @@ from .log_counts import LogCount, log_count, product
 
 _TINY = 1e-300
 _POOR, _MORE = 10, 10  # layers that are drawn again at most, and with how many times the samples
+_TABLE_VALUES = 1 << 22  # of completions held at once
+_TURNS = 30  # to the odds of largest entropy
+_ODDS = (1e-6, 1e6)
 
 
 def count_layer(alpha: np.ndarray, beta: np.ndarray, samples: int, stream: Stream) -> LogCount:
@@ -69,39 +74,87 @@ def _layer_counts(
     alpha: np.ndarray, beta: np.ndarray, samples: int, stream: Stream, progress: Progress
 ) -> List[LogCount]:
     layers = alpha.shape[1]
-    columns = -np.sort(-np.repeat(alpha.T, samples, axis=0), axis=1)  # (P S, N)
-    rest = np.repeat(beta.T, samples, axis=0).astype(np.int64)  # (P S, M)
+    group = max(1, _TABLE_VALUES // (len(alpha) + 1) ** 2)
+    counts = []
+    for first in range(0, layers, group):
+        here = slice(first, first + group)
+        step = part(progress, first / layers, min(first + group, layers) / layers)
+        counts += _counts_together(alpha[:, here].T, beta[:, here].T, samples, stream, step)
+    return counts
+
+
+def _counts_together(
+    alpha: np.ndarray, beta: np.ndarray, samples: int, stream: Stream, progress: Progress
+) -> List[LogCount]:
+    """Counts of layers (P,) with column sums alpha (P, N) and row sums beta (P, M)."""
+    order = np.argsort(-alpha, axis=1, kind="stable")
+    weights = np.stack([_column_odds(a, b) for a, b in zip(alpha, beta)])
+    completions = _log_completions(np.take_along_axis(weights, order, 1))
+    columns = np.repeat(np.take_along_axis(alpha, order, 1), samples, axis=0)  # (P S, N)
+    rest = np.repeat(beta, samples, axis=0).astype(np.int64)  # (P S, M)
+    layer = np.repeat(np.arange(len(alpha)), samples)[:, None]
     log_weights = np.zeros(len(rest))
     alive = columns.sum(1) == rest.sum(1)
     for k in range(columns.shape[1]):
         progress(k, columns.shape[1], "counting layers")
         left = columns.shape[1] - k
-        takes, log_chance, possible = _drawn_column(rest, columns[:, k], left, stream)
+        odds = _row_odds(completions[:, k + 1], layer, rest, left)
+        takes, log_chance, possible = _drawn_column(odds, rest == left, columns[:, k], stream)
         alive &= possible
         log_weights -= np.where(alive, log_chance, 0.0)
         rest = rest - takes
         alive &= (rest >= 0).all(1) & (rest <= left - 1).all(1)
         rest[~alive] = 0
     log_weights[~alive] = -np.inf
-    return [log_count(w) for w in log_weights.reshape(layers, samples)]
+    return [log_count(w) for w in log_weights.reshape(len(alpha), samples)]
+
+
+def _column_odds(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Odds of the columns (N,) in the law of largest entropy, by turns with those of the rows; any would do."""
+    count = len(rows)
+    odds = (columns + 0.25) / (count - columns + 0.25)
+    of_rows = np.ones(count)
+    for _ in range(_TURNS):
+        ways = odds / (1.0 + np.outer(of_rows, odds))
+        of_rows = np.clip(rows / np.maximum(ways.sum(1), _TINY), *_ODDS)
+        ways = of_rows[:, None] / (1.0 + np.outer(of_rows, odds))
+        odds = np.clip(columns / np.maximum(ways.sum(0), _TINY), *_ODDS)
+    return odds
+
+
+def _log_completions(odds: np.ndarray) -> np.ndarray:
+    """Logarithm of the weighted ways to put r voxels into the columns k.., (P, N + 1, N + 1) by k and r."""
+    layers, count = odds.shape
+    ways = np.full((layers, count + 1, count + 1), -np.inf)
+    ways[:, count, 0] = 0.0
+    for k in range(count - 1, -1, -1):
+        ways[:, k, 0] = 0.0
+        ways[:, k, 1:] = np.logaddexp(ways[:, k + 1, 1:], np.log(odds[:, k : k + 1]) + ways[:, k + 1, :-1])
+    return ways
+
+
+def _row_odds(ways: np.ndarray, layer: np.ndarray, rest: np.ndarray, left: int) -> np.ndarray:
+    """Odds of the rows (B, M) that may take a voxel of the column or leave it, the highest 1; 0 for the others."""
+    free = (rest > 0) & (rest < left)
+    need = np.where(free, rest, 1)
+    with np.errstate(invalid="ignore"):
+        log_odds = np.where(free, ways[layer, need - 1] - ways[layer, need], -np.inf)
+    top = log_odds.max(1, keepdims=True)
+    return np.exp(log_odds - np.where(np.isfinite(top), top, 0.0))
 
 
 def _drawn_column(
-    rest: np.ndarray, counts: np.ndarray, left: int, stream: Stream
+    odds: np.ndarray, forced: np.ndarray, counts: np.ndarray, stream: Stream
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Rows that take a voxel of the column (B, M), the logarithm of their chance (B,), and whether any could (B,)."""
-    forced = rest == left
-    free = (rest > 0) & ~forced
-    odds = np.where(free, rest / np.maximum(left - rest, 0.5), 0.0)
-    odds /= np.maximum(odds.max(1, keepdims=True), _TINY)
     need = counts - forced.sum(1)
-    possible = (need >= 0) & (free.sum(1) >= need)
+    possible = (need >= 0) & ((odds > 0).sum(1) >= need)
     need = np.where(possible, need, 0)
     sums, scale = _symmetric_sums(odds, int(need.max(initial=0)))
-    every, rows = np.arange(len(rest)), rest.shape[1]
+    every, rows = np.arange(len(odds)), odds.shape[1]
     log_total = np.log(np.maximum(sums[0, every, need], _TINY)) + scale[0]
-    drawn = stream.many(rest.size).reshape(rows, -1)
-    takes, log_chance = forced.copy(), np.zeros(len(rest))
+    drawn = stream.many(odds.size).reshape(rows, -1)
+    takes, log_chance = forced.copy(), np.zeros(len(odds))
     log_odds = np.log(np.maximum(odds, _TINY))
     for i in range(rows):
         share = odds[:, i] * sums[i + 1, every, np.maximum(need - 1, 0)] * np.exp(scale[i + 1] - scale[i])

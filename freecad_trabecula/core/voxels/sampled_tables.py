@@ -16,6 +16,7 @@ import numpy as np
 
 from ..progress import Progress, silent
 from ..streams import Stream
+from .cell_laws import geometric
 from .feasibility import table_shortfall
 from .log_counts import LogCount, log_count
 
@@ -68,24 +69,12 @@ def count_tables(
     return log_count(np.where(alive, log_weights, -np.inf))
 
 
-def _geometric(tilt: np.ndarray, cap: int) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Logarithm of the sum, mean and variance of the law exp(tilt x) on 0..cap."""
-    steep = np.minimum(-np.abs(tilt), -1e-5)
-    count = cap + 1
-    one, all_of = -np.expm1(steep), -np.expm1(count * steep)
-    log_sum = np.log(all_of / one)
-    mean = np.exp(steep) / one - count * np.exp(count * steep) / all_of
-    variance = np.exp(steep) / one**2 - count**2 * np.exp(count * steep) / all_of**2
-    up = tilt > 0
-    return np.where(up, log_sum + cap * tilt, log_sum), np.where(up, cap - mean, mean), np.maximum(variance, 1e-9)
-
-
 def _tilts_of(means: np.ndarray, cap: int) -> np.ndarray:
     """Tilts at which the law on 0..cap has the given means, (P,), by halving."""
     low, high = np.full(len(means), _TILTS[0]), np.full(len(means), _TILTS[-1])
     for _ in range(60):
         middle = (low + high) / 2
-        above = _geometric(middle, cap)[1] > means
+        above = geometric(middle, cap)[1] > means
         low, high = np.where(above, low, middle), np.where(above, middle, high)
     return (low + high) / 2
 
@@ -94,7 +83,7 @@ def _completions(tilts: np.ndarray, cap: int) -> _Completions:
     shape = (len(tilts) + 1, len(_TILTS))
     parts = [np.zeros(shape) for _ in range(3)]
     for i in range(len(tilts) - 1, -1, -1):
-        for total, value in zip(parts, _geometric(tilts[i] + _TILTS, cap)):
+        for total, value in zip(parts, geometric(tilts[i] + _TILTS, cap)):
             total[i] = total[i + 1] + value
     return _Completions(*parts)
 
