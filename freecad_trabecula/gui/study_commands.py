@@ -9,14 +9,15 @@ import FreeCAD
 from PySide import QtGui
 
 from .. import make
-from ..errors import ParameterError
 from ..features.relations import type_of, wireframe_of
-from .command import Command, active_document, selected_objects
+from .command import Command, active_document, objects_of, selected_objects
 from .report_writing import ask_and_write
 from .transactions import say
 from .variants_dialog import open_variants
 
 translate = FreeCAD.Qt.translate
+#: What is made again with another seed.
+_SEEDED = ("Trabecula::Wireframe", "Trabecula::VoxelDesign")
 
 
 class CopyScript(Command):
@@ -54,6 +55,13 @@ class OtherSeeds(Command):
     TEXT, KEYS = "Other seeds", "Y, 2"
     TIP = "Make the design again with 10 other seeds, side by side with their spread. Select a design or voxels"
 
+    def reason(self) -> str:
+        """Return why the command cannot be used now: seeds are those of rods and of voxels."""
+        missing = (
+            "" if any(map(objects_of, _SEEDED)) else translate("Trabecula", "there is no design of rods or voxels yet")
+        )
+        return super().reason() or missing
+
     def run(self, index: int) -> None:
         """Open the dialog, which begins at once."""
         open_variants(_design())
@@ -61,13 +69,9 @@ class OtherSeeds(Command):
 
 def _design() -> Any:
     """The selected design of rods or voxels, else the latest of the document."""
-    kinds = ("Trabecula::Wireframe", "Trabecula::VoxelDesign")
     chosen = [wireframe_of(obj) or obj for obj in selected_objects() if type_of(obj)]
-    found = [obj for obj in chosen if type_of(obj) in kinds]
-    found = found or [obj for obj in active_document().Objects if type_of(obj) in kinds][::-1]
-    if not found:
-        raise ParameterError("other seeds are those of a design of rods or voxels, got none: make one first")
-    return found[0]
+    found = [obj for obj in chosen if type_of(obj) in _SEEDED]
+    return (found or [obj for obj in active_document().Objects if type_of(obj) in _SEEDED][::-1])[0]
 
 
 def _chosen() -> Any:

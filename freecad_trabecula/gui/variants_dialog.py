@@ -13,6 +13,7 @@ from PySide import QtCore, QtGui
 
 from ..core.stl import whole_file
 from ..core.variants import MOST, RAYS, SCAFFOLD, VOXELS, Variants, seeds_from, spread
+from ..errors import ParameterError
 from ..features.relations import type_of
 from ..features.tasks import write_variants_task
 from ..features.variants import read_variants
@@ -158,8 +159,18 @@ class VariantsDialog(QtGui.QDialog):
     # ----------------------------------------------------------------------------------------------- what it shows
 
     def obj(self) -> Any:
-        """Return the design."""
-        return FreeCAD.getDocument(self._document).getObject(self._name)
+        """Return the design.
+
+        Raises
+        ------
+        ParameterError
+            If it is no more.
+        """
+        document = FreeCAD.listDocuments().get(self._document)
+        found = document.getObject(self._name) if document is not None else None
+        if found is None:
+            raise ParameterError(f"the design {self._name} must be open to be made again, got none: it was closed")
+        return found
 
     def show_variants(self, variants: Variants) -> None:
         """Show pictures, numbers and their spread."""

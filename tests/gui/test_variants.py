@@ -6,6 +6,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 from window import WindowTest, settle, wait
@@ -13,6 +14,7 @@ from window import WindowTest, settle, wait
 from freecad_trabecula import make
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
+from freecad_trabecula.gui import commands
 from freecad_trabecula.gui.variants_dialog import USUAL, VariantsDialog
 
 
@@ -68,6 +70,18 @@ class VariantsTest(WindowTest):
         settle(0.5)
         self.assertIsNone(found.variants)
 
+    def test_after_its_document_was_closed_it_says_so_and_lives(self):
+        make.make_design(self.document, preset("case1"))
+        found = self.start()
+        self.assertTrue(wait(lambda: found.variants is not None, 120), found.message.text())
+        FreeCAD.closeDocument(self.document.Name)
+        found.table.selectRow(0)
+        found.take_button.click()
+        found.start_button.click()
+        self.assertEqual(len(self.dialogs), 2)
+        self.assertIn("it was closed", self.dialogs[0])
+        self.assertTrue(found.start_button.isEnabled())
+
     def test_voxels_tell_their_overlap(self):
         body = self.document.addObject("Part::Feature", "Bracket")
         body.Shape = make.make_box(self.document, 4, 4, 4).Shape.cut(make.make_box(self.document, 2, 2, 4).Shape)
@@ -78,8 +92,7 @@ class VariantsTest(WindowTest):
         self.assertIn("mean overlap, %", found.message.text())
         self.assertIn("chance", found.message.text())
 
-    def test_without_a_design_it_says_so(self):
+    def test_without_a_design_it_is_greyed_out_and_says_why(self):
         make.make_analysis(self.document, make.make_box(self.document, 2, 3, 4))
-        FreeCADGui.runCommand("Trabecula_Variants")
-        self.assertEqual(len(self.dialogs), 1)
-        self.assertIn("make one first", self.dialogs[0])
+        self.assertFalse(FreeCADGui.Command.get("Trabecula_Variants").isActive())
+        self.assertIn("no design of rods or voxels yet", commands.COMMANDS["Trabecula_Variants"].reason())
