@@ -55,7 +55,8 @@ class Texture:
         if len(self.wavelengths) != 3 or not all(2.0 < w < 1e5 for w in self.wavelengths):
             raise ParameterError(f"wavelengths must be three lengths above 2 voxels, got {self.wavelengths}")
         axes = np.asarray(self.axes, float)
-        if axes.shape != (3, 3) or not np.allclose(axes @ axes.T, np.eye(3), atol=1e-6):
+        # a fit rounds them to 2^-20, which turns them by up to 1.7e-6
+        if axes.shape != (3, 3) or not np.allclose(axes @ axes.T, np.eye(3), atol=2e-6):
             raise ParameterError(f"axes of a texture must be three unit vectors at right angles, got {self.axes}")
         if not 0.02 <= self.width <= 1.0:
             raise ParameterError(f"width of a texture must be 0.02 to 1, got {self.width:g}")

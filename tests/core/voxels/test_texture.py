@@ -69,3 +69,13 @@ def test_waves_are_as_long_as_asked_for_along_every_direction(axis):
 def test_textures_that_make_no_sense_are_refused(choice):
     with pytest.raises(ParameterError, match="got"):
         Texture(**choice)
+
+
+def test_axes_rounded_to_a_millionth_are_taken_and_axes_turned_by_more_are_not():
+    draws = np.random.default_rng(5).normal(size=(400, 3, 3))
+    for rotation in np.linalg.qr(draws)[0]:
+        rounded = np.rint(rotation * 2.0**20) / 2.0**20
+        Texture((5.0, 5.0, 5.0), tuple(map(tuple, rounded)))
+    skew = ((1.0, 1e-5, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    with pytest.raises(ParameterError, match="right angles"):
+        Texture((5.0, 5.0, 5.0), skew)
