@@ -182,7 +182,7 @@ class CopiesTest(DocumentCase):
         self.assertEqual((told(whole), whole.isValid()), (told(design), True))
         self.assertEqual(make.voxel_design_of(whole).voxels.sum(), 384)
         self.assertEqual(make.voxel_design_of(alone).voxels.sum(), 384)
-        self.assertRegex(alone.Status, "must have a sample, a source or a file, got neither")
+        self.assertRegex(alone.Status, "must have a sample, a source, a file or drawn curves, got none")
         self.assertEqual(alone.Mesh.CountFacets, design.Mesh.CountFacets)
 
 
