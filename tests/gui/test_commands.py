@@ -47,7 +47,7 @@ class CommandTest(WindowTest):
         every = window.menuBar().findChildren(QtGui.QMenu)
         ours = next(menu for menu in every if menu.title() == "&Trabecula")
         below = [menu for menu in every if any(one == menu.menuAction() for one in ours.actions())]
-        menus = {menu.title(): menu for menu in below}  # FreeCAD has its own Help
+        menus = {menu.title(): menu for menu in [ours, *below]}  # FreeCAD has its own Help
         for title, submenu, names in commands.GROUPS:
             texts = [commands.COMMANDS[name].TEXT for name in names if name]
             for place in (window.findChild(QtGui.QToolBar, title), menus[submenu or "&Trabecula"]):
