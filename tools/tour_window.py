@@ -202,8 +202,12 @@ def walk_voxels(walk):
     walk.tell_step("voxels", "The voxels are as thick as the layers; the panel says beforehand what they take.")
     walk.ok()
     walk.until("voxels")
+    FreeCAD.ActiveDocument.Objects[0].ViewObject.Visibility = False  # the bone lies in the same place
     walk.fit()
-    walk.tell_step("layers", "Grey: the sample's layer; beside it the design's, with as many voxels.")
+    walk.tell_step(
+        "layers",
+        "The design's layer with its count, and the counts of all layers on the targets' curve. A design made from the body itself shows the sample's layer too.",
+    )
     walk.click("analyse")
     walk.until("analyse")
     walk.click("compare")

@@ -261,8 +261,7 @@ def _voxel_steps() -> Tuple[Step, ...]:
             translate("Trabecula", "Design the voxels"),
             translate("Trabecula", "As many voxels in every layer along X, Y and Z as the targets ask, in one piece."),
             lambda on, seen: state_of(on.voxels),
-            # the body rather than its analysis: it can be seen, and the design takes its texture
-            lambda on: ("Trabecula_Voxels", [one for one in (*on.bodies, _targets(on)) if one is not None][:1]),
+            lambda on: ("Trabecula_Voxels", [one for one in (_targets(on), *on.bodies) if one is not None][:1]),
         ),
         Step(
             "layers",
