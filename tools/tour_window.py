@@ -206,7 +206,7 @@ def walk_voxels(walk):
     walk.fit()
     walk.tell_step(
         "layers",
-        "The design's layer with its count, and the counts of all layers on the targets' curve. A design made from the body itself shows the sample's layer too.",
+        "The design's layer with its count; the counts of all layers lie on the targets' curve.",
     )
     walk.click("analyse")
     walk.until("analyse")
