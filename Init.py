@@ -9,3 +9,8 @@ import freecad_trabecula  # noqa: F401
 
 # The tests that need a document: freecadcmd -t TestTrabecula, or the Test workbench.
 FreeCAD.__unit_test__ += ["TestTrabecula"]
+
+# Files that FreeCAD opens and writes through us; the module is loaded when one is.
+FreeCAD.addImportType("Trabecula job (*.json)", "freecad_trabecula.document_files")
+for kind in ("job (*.json)", "voxels (*.npy)", "voxels (*.nrrd)", "voxels (*.vti)"):
+    FreeCAD.addExportType("Trabecula " + kind, "freecad_trabecula.document_files")

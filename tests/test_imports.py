@@ -46,7 +46,7 @@ LAYERS = (
     ),
     (
         "make",
-        ("make",),
+        ("make", "document_files"),
         ("stdlib", "numpy", "FreeCAD", ".errors", ".core", ".geometry", ".features"),
         (),
     ),

@@ -49,10 +49,10 @@ measure() {
     enter "$root" / update-ca-certificates >/dev/null 2>&1
     git -c safe.directory='*' clone -q --no-hardlinks "file://$checkout" "$root/root/trabecula"
     say "bare Debian $(cat "$root/etc/debian_version"), $(nproc) cores; $(git -C "$root/root/trabecula" log -1 --format=%h)"
-    before=$(du -sm "$root" | cut -f1)
+    before=$(du -smx "$root" | cut -f1)
     timed "make setup (the first part of make demo and of make test)" make setup
     grep '^setup: installing' "$root/log"
-    say "installed: $(($(du -sm "$root" | cut -f1) - before)) MB"
+    say "installed: $(($(du -smx "$root" | cut -f1) - before)) MB"
     timed "make demo after it" make demo
     tail -n 12 "$root/log"
     timed "make demo once more" make demo

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any, Dict, Optional, Sequence, Tuple
 
 from ..errors import ParameterError
@@ -182,3 +183,25 @@ def _changed(owner: Any, keys: Sequence[str], value: Any, name: str) -> Any:
 def with_seed(job: Job, seed: int) -> Job:
     """Return the job with another seed."""
     return replace(job, seed=seed)
+
+
+def read_job(path: str) -> Job:
+    """Return the job in a file; its envelope's file is looked for beside it first.
+
+    Raises
+    ------
+    ParameterError
+        If the file cannot be read, or is no job.
+    """
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except OSError as error:
+        raise ParameterError(f"the job file {path} cannot be read: {error.strerror or error}") from error
+    except UnicodeDecodeError as error:
+        raise ParameterError(f"the job file {path} must be a text in UTF-8: {error}") from error
+    try:
+        job = job_from_json(text)
+    except ParameterError as error:
+        raise ParameterError(f"{path}: {error}") from error
+    beside = Path(path).parent / job.envelope
+    return replace(job, envelope=str(beside)) if job.envelope and beside.is_file() else job

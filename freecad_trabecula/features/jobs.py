@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
-from ..core.job import Job
+from ..core.job import Job, job_to_json
 from ..core.parameters import PrismParameters, ScaffoldParameters
 from ..errors import EnvelopeError, ParameterError
+from ..geometry.files import replacing
 from .base import read_parameters
 from .envelope import source_of
 from .face_sites import FaceSites
 from .feature import is_a
 from .prism_sites import PrismSites
+from .relations import products_of, type_of
 
 
 def job_of(wireframe: Any, scaffold: Any = None, envelope: str = "") -> Job:
@@ -73,6 +76,20 @@ def job_of(wireframe: Any, scaffold: Any = None, envelope: str = "") -> Job:
         edits=parameters.edits,
         seed=parameters.seed,
     )
+
+
+def write_job(wireframe: Any, path: str) -> None:
+    """Write the job of a wireframe object, and of its scaffold if there is one, into a file.
+
+    Raises
+    ------
+    TrabeculaError
+        As ``job_of``; or the file cannot be written: what stood under that name before stays.
+    """
+    scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
+    text = job_to_json(job_of(wireframe, scaffold))
+    with replacing(path) as part:
+        Path(part).write_text(text, encoding="utf-8")
 
 
 def box_parameters(box: Any) -> PrismParameters:

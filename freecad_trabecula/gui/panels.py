@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
 from typing import Any, Optional, Sequence
 
 import FreeCAD
 
-from ..core.job import Job, job_from_json
-from ..errors import ExportError
+from ..core.job import Job, read_job
 from ..features.jobs import job_of
 from ..features.relations import products_of, type_of, wireframe_of
 from .preferences import new_job
@@ -92,25 +89,6 @@ def open_job(document: Any, path: str) -> None:
         If the file cannot be read, or is no job.
     """
     open_new(document, read_job(path))
-
-
-def read_job(path: str) -> Job:
-    """Return the job in a file; the file of its envelope is looked for beside it.
-
-    Raises
-    ------
-    ExportError
-        If it cannot be read.
-    ParameterError
-        If it is no job.
-    """
-    try:
-        text = Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ExportError(f"the job file {path} could not be read: {error}") from error
-    job = job_from_json(text)
-    beside = Path(path).parent / job.envelope
-    return replace(job, envelope=str(beside)) if job.envelope and beside.is_file() else job
 
 
 def open_analysis(document: Any, obj: Any = None, source: Any = None) -> None:

@@ -3,19 +3,16 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any, List, Tuple
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ..core.job import job_to_json
 from ..core.presets import PRESETS, preset
 from ..errors import ParameterError
-from ..features.jobs import job_of
-from ..features.relations import parts_of, products_of, type_of, wireframe_of
-from ..geometry.files import replacing
+from ..features.jobs import write_job
+from ..features.relations import parts_of, type_of, wireframe_of
 from . import panels
 from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
 from .design_form import preset_text
@@ -255,14 +252,11 @@ class SaveJob(Command):
     def run(self, index: int) -> None:
         """Ask for a file and write it."""
         wireframe = _wireframe()
-        scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
-        text = job_to_json(job_of(wireframe, scaffold))
         path, _ = QtGui.QFileDialog.getSaveFileName(
             FreeCADGui.getMainWindow(), translate("Trabecula", "Save job"), folder_for(wireframe.Document), _job_files()
         )
         if path:
-            with replacing(path) as part:
-                Path(part).write_text(text, encoding="utf-8")
+            write_job(wireframe, path)
             say(translate("Trabecula", "{} was written").format(path))
 
 

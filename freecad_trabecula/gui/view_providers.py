@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
+
+import FreeCADGui
+from PySide import QtGui
 
 from ..features.on_demand import hand_long_work_to
 from ..features.relations import roles_of, type_of
@@ -44,6 +47,19 @@ def _side_light() -> Any:
     light = coin.SoDirectionalLight()
     light.direction, light.intensity = (-0.25, 0.55, -0.8), 0.55
     return light
+
+
+#: Commands that the tree offers for an object, by its kind; of all other objects those of the design they belong to.
+OFFERED: Dict[str, Tuple[str, ...]] = {
+    "Trabecula::Analysis": ("Trabecula_Analysis", "Trabecula_Plots", "Trabecula_Compare", "Trabecula_CopyScript"),
+    "Trabecula::VoxelDesign": (
+        *("Trabecula_Voxels", "Trabecula_VoxelLayers", "Trabecula_AnalyseNow", "Trabecula_VoxelExport"),
+        "Trabecula_CopyScript",
+    ),
+}
+OFFERED_TO_PARTS = (
+    *("Trabecula_Design", "Trabecula_Results", "Trabecula_AnalyseNow", "Trabecula_Export", "Trabecula_CopyScript"),
+)
 
 
 class ViewProvider(Stateless):
@@ -99,6 +115,17 @@ class ViewProvider(Stateless):
         """Open the object's panel."""
         edit(view.Object)
         return True
+
+    def setupContextMenu(self, view: Any, menu: Any) -> None:
+        """Offer what can be done with the object, at a click with the right button (FreeCAD's protocol)."""
+        known = FreeCADGui.listCommands()
+        for name in OFFERED.get(type_of(view.Object), OFFERED_TO_PARTS):
+            if name in known:
+                command = FreeCADGui.Command.get(name)
+                info = command.getInfo()
+                action = menu.addAction(QtGui.QIcon(info["pixmap"]), info["menuText"].replace("&", ""))
+                action.setEnabled(bool(command.isActive()))
+                action.triggered.connect(lambda *_, name=name: FreeCADGui.runCommand(name))
 
     def setEdit(self, view: Any, mode: int) -> Optional[bool]:
         """Open the object's panel from the menu; FreeCAD's own edit mode is not entered."""

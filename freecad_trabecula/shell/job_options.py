@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Sequence, Tuple
 
-from ..core.job import Job, job_from_json, set_values, with_seed
+from ..core.job import Job, read_job, set_values, with_seed
 from ..core.parameters import Coupling, FaceParameters
 from ..core.presets import preset
 from ..errors import ExportError, ParameterError
@@ -43,28 +43,6 @@ def job_of_options(options: Mapping[str, Any]) -> Job:
     if options["engine"]:
         job = replace(job, scaffold=replace(job.scaffold, engine=options["engine"]))
     return set_values(job, options["set"])
-
-
-def read_job(path: str) -> Job:
-    """Return the job in a file; its envelope's file is looked for beside it first.
-
-    Raises
-    ------
-    ParameterError
-        If the file cannot be read, or is no job.
-    """
-    try:
-        text = Path(path).read_text(encoding="utf-8")
-    except OSError as error:
-        raise ParameterError(f"the job file {path} cannot be read: {error.strerror or error}") from error
-    except UnicodeDecodeError as error:
-        raise ParameterError(f"the job file {path} must be a text in UTF-8: {error}") from error
-    try:
-        job = job_from_json(text)
-    except ParameterError as error:
-        raise ParameterError(f"{path}: {error}") from error
-    beside = Path(path).parent / job.envelope
-    return replace(job, envelope=str(beside)) if job.envelope and beside.is_file() else job
 
 
 def with_envelope(job: Job, path: str, pairs: Sequence[str]) -> Job:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtGui
 from window import WindowTest, settle
 
 from freecad_trabecula import make
@@ -49,6 +50,17 @@ class LookTest(WindowTest):
             self.assertTrue(os.path.isfile(obj.ViewObject.Proxy.getIcon()))
         children = design.wireframe.ViewObject.Proxy.claimChildren()
         self.assertEqual(children, [design.envelope, *design.sites])
+
+    def test_a_right_click_offers_what_can_be_done_with_the_object_and_does_it(self):
+        design = make.make_design(self.document, preset("case1"))
+        menu = QtGui.QMenu()
+        FreeCADGui.Selection.addSelection(self.document.Name, design.wireframe.Name)
+        design.wireframe.ViewObject.Proxy.setupContextMenu(design.wireframe.ViewObject, menu)
+        actions = {action.text(): action for action in menu.actions()}
+        self.assertEqual(list(actions), ["Design rods", "Results", "Analyse at once", "Export", "Copy as script"])
+        self.assertTrue(actions["Results"].isEnabled())
+        actions["Results"].trigger()
+        self.assertTrue(hasattr(panels.current(), "histogram"))
 
     def test_objects_know_their_design(self):
         design = make.make_design(self.document, preset("case1"))
