@@ -10,6 +10,7 @@
 # make translations refreshes the .ts files from the sources, and packs them into .qm
 # make release      checks, the archive, installed into a clean FreeCAD home and tested there; VERSION=0.2.0 names it first
 # make tour         walks the three doors in the window, a picture of each step (ARGS=--docs: the tutorials)
+# make types        mypy on what runs without FreeCAD
 # make setup        what the others do first: installs what is missing by apt and pip, and says what
 # make clean        removes build/
 
@@ -18,10 +19,10 @@ LATEST = sh tools/newest_freecad.sh run
 CHOICE = $(if $(ONLY),--only $(ONLY)) $(if $(MATCH),--match $(MATCH))
 
 .PHONY: help setup test test-latest same-seed brep brep-latest demo bench validate gallery tour translations lint
-.PHONY: release format clean
+.PHONY: release types format clean
 
 help:
-	@sed -n '3,14s/^# \{0,1\}//p' Makefile
+	@sed -n '3,15s/^# \{0,1\}//p' Makefile
 
 setup:
 	@sh tools/setup.sh
@@ -63,6 +64,9 @@ same-seed: setup
 # lrelease is installed by the command itself, when it is run.
 translations:
 	@$(PYTHON) tools/translations.py
+
+types: setup
+	@sh tools/pinned.sh mypy 2.4.1
 
 release: setup
 	@$(PYTHON) tools/release.py $(if $(VERSION),--version $(VERSION)) $(ARGS)

@@ -223,4 +223,5 @@ def _value(node: ast.AST, names: dict) -> object:
         return _OPERATORS[type(node.op)](_value(node.left, names), _value(node.right, names))
     if isinstance(node, ast.UnaryOp):
         return _OPERATORS[type(node.op)](_value(node.operand, names))
+    assert isinstance(node, ast.Call) and isinstance(node.func, ast.Name)  # parse_expression lets nothing else pass
     return _FUNCTIONS[node.func.id](*[_value(a, names) for a in node.args])

@@ -8,7 +8,7 @@ finds weights of the layers that no design can meet (Farkas), branch and bound a
 from __future__ import annotations
 
 import math
-from typing import Optional, Tuple
+from typing import Any, Optional, Tuple
 
 import numpy as np
 
@@ -75,7 +75,7 @@ def searched_design(targets: Targets, parameters: VoxelParameters, mask: Optiona
     return voxels
 
 
-def _layer_sums(targets: Targets, allowed: np.ndarray) -> Tuple[object, np.ndarray]:
+def _layer_sums(targets: Targets, allowed: np.ndarray) -> Tuple[Any, np.ndarray]:
     """Matrix of the layers' sums over the allowed cells, sparse (N + M + P, cells), and the counts."""
     from scipy.sparse import csr_matrix
 
@@ -87,7 +87,7 @@ def _layer_sums(targets: Targets, allowed: np.ndarray) -> Tuple[object, np.ndarr
     return matrix, np.concatenate(targets.counts).astype(float)
 
 
-def _line_caps(targets: Targets, parameters: VoxelParameters, allowed: np.ndarray) -> Tuple[object, np.ndarray]:
+def _line_caps(targets: Targets, parameters: VoxelParameters, allowed: np.ndarray) -> Tuple[Any, np.ndarray]:
     """Matrix of the lines (x, z) and (y, z) over the allowed cells, sparse, and their caps."""
     from scipy.sparse import csr_matrix
 
