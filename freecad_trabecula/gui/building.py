@@ -40,6 +40,7 @@ class Listener(NamedTuple):
     progressed: Callable[[Progress], None]
     done: Callable[[], None]
     failed: Callable[[TrabeculaError], None]
+    begins: Callable[[], None] = lambda: None  # before the first change: what is undone is the look without a panel
 
 
 class Building:
@@ -121,6 +122,7 @@ class Writing:
     def start(self) -> None:
         """Open the step to undo and begin."""
         self._document = FreeCAD.getDocument(self._target.document)
+        self._listener.begins()
         self._document.openTransaction("Design rods")
         self._go_on()
 

@@ -243,11 +243,11 @@ class DesignPanel:
                 self._start(job, kinds)
                 return False
             # found at hand: the preview has computed it
-            Writing(self._target(), job, (), Listener(lambda _: None, self._close, self._not_built)).start()
+            listener = Listener(lambda _: None, self._close, self._not_built, self._clear_view.restore)
+            Writing(self._target(), job, (), listener).start()
         return False
 
     def _close(self) -> None:
-        self._clear_view.forget()  # paths are to be seen inside the envelope
         self._leave()
         FreeCADGui.Control.closeDialog()
 
@@ -284,9 +284,8 @@ class DesignPanel:
         if self._building is not None:
             return
         self.picker.stop()
-        building = Building(
-            self._target(), job, kinds, Listener(self.build_bar.show_progress, self._built, self._not_built)
-        )
+        heard = (self.build_bar.show_progress, self._built, self._not_built, self._clear_view.restore)
+        building = Building(self._target(), job, kinds, Listener(*heard))
         building.start(self.body.solid(job))
         self._building = building
         self._set_working(True)
@@ -297,6 +296,7 @@ class DesignPanel:
             self._building.cancel()
             self._building = None
             self._set_working(False)
+            self._clear_view.apply(self.envelope, self._hidden())
 
     def _set_working(self, working: bool) -> None:
         (self.build_bar.show_working if working else self.build_bar.show_idle)()
@@ -306,8 +306,6 @@ class DesignPanel:
     def _built(self) -> None:
         self._building = None
         name = self.document.Name  # not the document: it may be closed by then
-        self._clear_view.restore(visibility=False)
-        self._clear_view.forget()
         self._leave()
         FreeCADGui.Control.closeDialog()
         invoke_later(lambda: open_results(name))
@@ -317,6 +315,7 @@ class DesignPanel:
         if not self._open:
             return
         self._set_working(False)
+        self._clear_view.apply(self.envelope, self._hidden())
         self.outcome.show_error(str(error))
         with told():
             raise error

@@ -74,18 +74,11 @@ class ClearView:
         """Give nothing back: the document is being closed."""
         self._before = {}
 
-    def restore(self, visibility: bool = True) -> None:
-        """Give back what there was; objects that have gone are passed over.
-
-        Parameters
-        ----------
-        visibility : bool
-            False where what is seen has been settled anew.
-        """
+    def restore(self) -> None:
+        """Give back what there was; objects that have gone are passed over."""
         for view, visible, transparency in self._before.values():
             try:
-                if visibility:
-                    view.Visibility = visible
+                view.Visibility = visible
                 if hasattr(view, "Transparency"):
                     view.Transparency = transparency
             except (ReferenceError, RuntimeError):

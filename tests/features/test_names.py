@@ -16,6 +16,7 @@ from document_case import NO_BOOLEANS, DocumentCase, small_job
 from freecad_trabecula import make
 from freecad_trabecula.core.booleans import manifold_available
 from freecad_trabecula.core.parameters import FaceParameters
+from freecad_trabecula.features.voxel_design import VoxelDesign
 
 #: Type: module and class of the proxy, FreeCAD's type, names of properties.
 NAMES = {
@@ -68,6 +69,25 @@ NAMES = {
         "Mesh::FeaturePython",
         "Facets ResultKey Role Scaffold SchemaVersion Status",
     ),
+    "Trabecula::Analysis": (
+        "freecad_trabecula.features.analysis.Analysis",
+        "App::FeaturePython",
+        "AutoUpdate BoneFraction Checks Contours Deflection Envelope File MeshVolume Morphometry Notes "
+        "Numbers ResultKey SchemaVersion Seconds SliceAt SliceAxes SliceCompensation SliceFill "
+        "SliceFilterClosed SliceFilterOpen SliceGap SliceHeights SliceHigh SliceIterations SliceLeastArea "
+        "SliceLow SliceRange SliceRodRatio SliceSmoothing SliceThickness SliceVolume Slices Source "
+        "SpoiltSlices Status Structure Triangles Unit UnitFound UpToDate",
+    ),
+    "Trabecula::VoxelDesign": (
+        "freecad_trabecula.features.voxel_design.VoxelDesign",
+        "Mesh::FeaturePython",
+        "Alpha AutoUpdate Beta BoneFraction ClosedCavities Components CornerContacts CurveEdges CurveX CurveY "
+        "CurveZ EdgeContacts Envelope Exact File LargestFraction LayersX LayersY LayersZ MeshVolume Notes "
+        "Numbers ResultKey SchemaVersion Seconds Source Status Structure Surface TrabeculaDeviation UpToDate "
+        "VoxelAreas VoxelBoundary VoxelCapAlpha VoxelCapBeta VoxelContacts VoxelCorrection VoxelDirection "
+        "VoxelField VoxelPairing VoxelRods VoxelSeed VoxelSize VoxelSolver VoxelStrategy VoxelThickness "
+        "VoxelTotal VoxelTrabeculae VoxelTries VoxelVoid VoxelVolume VoxelWavelength Voxels Watertight",
+    ),
 }
 
 
@@ -80,7 +100,11 @@ class NamesTest(DocumentCase):
         faces = make.make_face_sites(design.envelope, FaceParameters("Face1"))
         bodies = make.body_objects(design.scaffold)
         solid = make.make_solid_scaffold(design.wireframe)
-        objects = (*design.sites, faces, design.wireframe, design.network, design.scaffold, solid, bodies[0])
+        analysis = make.make_analysis(self.document, design.envelope)
+        voxels = self.document.addObject("Mesh::FeaturePython", "Voxels")
+        VoxelDesign(voxels)
+        design_objects = (design.wireframe, design.network, design.scaffold, solid, bodies[0])
+        objects = (*design.sites, faces, *design_objects, analysis, voxels)
         self.assertEqual({obj.Proxy.Type for obj in objects}, set(NAMES))
         for obj in objects:
             with self.subTest(type=obj.Proxy.Type):
