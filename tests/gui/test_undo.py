@@ -38,8 +38,9 @@ LOOKING = [
     "Trabecula_VoxelExport",
     "Trabecula_VoxelLayers",
     "Trabecula_WatchLayer",
+    "Trabecula_WriteReport",
 ]
-#: Commands that do, each with a test below or, the tables, in test_voxel_dialogs.py; of presets one stands for all.
+#: Commands that do, each with a test below or, for tables and variants, in their own file; of presets one stands for all.
 CHANGING = [
     "Trabecula_Analysis",
     "Trabecula_AnalyseNow",
@@ -51,6 +52,7 @@ CHANGING = [
     "Trabecula_OpenJob",
     "Trabecula_Scaffold",
     "Trabecula_Switch",
+    "Trabecula_Variants",
     "Trabecula_VoxelTables",
     "Trabecula_Voxels",
 ]
