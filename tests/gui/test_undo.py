@@ -40,7 +40,7 @@ LOOKING = [
     "Trabecula_WatchLayer",
     "Trabecula_WriteReport",
 ]
-#: Commands that do, each with a test below or, for tables and variants, in their own file; of presets one stands for all.
+#: Commands that do, each with a test below (tables and variants: in their own files); of presets one stands for all.
 CHANGING = [
     "Trabecula_Analysis",
     "Trabecula_AnalyseNow",
