@@ -22,6 +22,7 @@ from .qt import invoke_later
 PROPERTY, _KEPT = "ColourBy", "PlainColour"
 _overlays: Dict[str, LegendOverlay] = {}
 _legends: Dict[str, Dict[str, Legend]] = {}  # by names of document and object
+_also: Dict[str, Titled] = {}  # a legend of something else, by the document's name
 _waiting: set = set()
 
 
@@ -81,6 +82,15 @@ def _refresh(document: str, name: str) -> None:
         FreeCAD.Console.PrintWarning(f"{error}\n")
 
 
+def show_also(document: str, legend: Optional[Titled]) -> None:
+    """Show a legend besides those of the objects; None takes it away."""
+    if legend is None:
+        _also.pop(document, None)
+    else:
+        _also[document] = legend
+    show_legends(document)
+
+
 def legends_of(document: str) -> tuple:
     """Return the legends that the views of a document show."""
     return _overlays[document].legends if document in _overlays else ()
@@ -89,16 +99,21 @@ def legends_of(document: str) -> tuple:
 def show_legends(document: str) -> None:
     """Show the legends of the coloured objects that are seen."""
     if document not in FreeCAD.listDocuments():
-        _overlays.pop(document, None)
-        _legends.pop(document, None)
+        _forget(document)
         return
     shown = []
     found = _legends.get(document, {})
     for obj in FreeCAD.getDocument(document).Objects if found else ():
         if obj.Name in found and obj.ViewObject.Visibility:
             shown.append(Titled(found[obj.Name], obj.Label))
+    shown += [_also[document]] if document in _also else []
     if shown or document in _overlays:
         _overlays.setdefault(document, LegendOverlay()).show(document, shown)
+
+
+def _forget(document: str) -> None:
+    for kept in (_overlays, _legends, _also):
+        kept.pop(document, None)
 
 
 # ------------------------------------------------------------------------------------------------ into the scene
@@ -169,8 +184,7 @@ class _Observer:
 
     def slotDeletedDocument(self, document: Any) -> None:
         """Forget its legends; its views go with it."""
-        _overlays.pop(document.Name, None)
-        _legends.pop(document.Name, None)
+        _forget(document.Name)
 
     def slotDeletedObject(self, obj: Any) -> None:
         """Take its legend away."""

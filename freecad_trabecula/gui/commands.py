@@ -67,7 +67,7 @@ GROUPS = (
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula seeing"),
         QT_TRANSLATE_NOOP("Workbench", "S&eeing"),
-        ("Trabecula_Colours", "Trabecula_Sights"),
+        ("Trabecula_Colours", "Trabecula_Sights", "Trabecula_Section"),
     ),
     (
         QT_TRANSLATE_NOOP("Workbench", "Trabecula study"),

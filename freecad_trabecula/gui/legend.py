@@ -19,6 +19,7 @@ translate = FreeCAD.Qt.translate
 _LINE, _MARGIN, _BOX, _BAR = 17, 8, 11, 12  # pixels
 _WIDTH = 210  # pixels of a legend in the 3D view
 _MOST_ENTRIES = 12
+LEGEND_NODE = "TrabeculaLegend"
 _AWAY = 0.03  # share of the view between the legend and its edges
 
 
@@ -229,4 +230,5 @@ def _corner(image: Any) -> Any:
         coin.SoGroup()
     )  # made by its constructor, it is Python's as well as the scene's: it outlives being taken out
     whole.addChild(skip)
+    whole.setName(LEGEND_NODE)
     return whole

@@ -12,6 +12,7 @@ from ..features.colouring import choices
 from ..features.relations import type_of
 from .colouring import PROPERTY, colour
 from .command import Command, active_document, selected_objects
+from .section_dock import section_dock
 from .transactions import record, transaction
 from .transparency import SIGHTS, look_through
 
@@ -136,5 +137,21 @@ class Sights(Command):
         return 1
 
 
+class SectionPlane(Command):
+    """Shows the dock of the section plane."""
+
+    NAME, ICON, NEEDS = "Trabecula_Section", "Trabecula_section", ("document",)
+    TEXT, KEYS = "Section plane", "T, K"
+    TIP = "Cut the 3D view open along X, Y, Z or as you look at it. Needs a document; the document does not change"
+
+    def run(self, index: int) -> None:
+        """Show or hide it."""
+        dock = section_dock()
+        if dock.isVisible():
+            dock.hide()
+        else:
+            dock.open()
+
+
 #: In the order of toolbar and menu; those of the groups besides.
-COMMANDS = (Colours, Sights, *_COLOUR_COMMANDS, *_SIGHT_COMMANDS)
+COMMANDS = (Colours, Sights, SectionPlane, *_COLOUR_COMMANDS, *_SIGHT_COMMANDS)
