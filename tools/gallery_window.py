@@ -204,7 +204,7 @@ def take_recomputing():
     FreeCADGui.Selection.addSelection(FreeCAD.ActiveDocument.Name, wireframe.Name)
     wireframe.Seed = 7
     FreeCAD.ActiveDocument.recompute()
-    wait(lambda: of_window()._bar.bar.value() > 300, 60)
+    wait(lambda: any(one.bar.value() > 300 for one in of_window().bars()), 60)
     shoot("recomputing")
     of_window().cancel()
 

@@ -9,7 +9,7 @@ import FreeCAD
 from PySide import QtGui
 
 from ..core.engines import Estimate
-from .child_work import Progress, time_text
+from .child_work import Progress, progress_text, time_text
 from .fields import row_widget
 from .language import choice, in_words, local_number
 from .qt import icon
@@ -103,7 +103,4 @@ class BuildBar(QtGui.QWidget):
     def show_progress(self, progress: Progress) -> None:
         """Show how far the work is, what is being done, and how long is left."""
         self.bar.setValue(int(1000 * progress.share))
-        text = in_words(progress.what)
-        if progress.left is not None:
-            text += translate("Trabecula", ", about {} left").format(time_text(progress.left))
-        self.what.setText(text)
+        self.what.setText(progress_text(progress))

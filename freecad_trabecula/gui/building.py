@@ -181,7 +181,12 @@ class Writing:
 
     def _write_body(self, kind: str) -> None:
         """Bring a body that there is up to date, or make it."""
-        there = {one.Proxy.KIND: one for one in products_of(self._wireframe())}
+        wireframe = self._wireframe()
+        # said anew: between two steps another document's design may have been written with the same words
+        record(f"document = FreeCAD.getDocument({self._target.document!r})")
+        record(f"wireframe = document.getObject({wireframe.Name!r})")
+        record(f"job = job_from_json({json.dumps(to_record(self._job))!r})")
+        there = {one.Proxy.KIND: one for one in products_of(wireframe)}
         parameters = "" if kind == "network" else ", job.scaffold"
         if kind not in there:
             try:

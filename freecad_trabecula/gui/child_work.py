@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import tempfile
@@ -13,12 +14,15 @@ from typing import Any, Callable, List, Mapping, NamedTuple, Optional
 import FreeCAD
 from PySide import QtCore
 
+from ..core.time_left import TimeLeft
 from ..errors import KernelError, TrabeculaError
 from ..shell.launch import PROGRAMS, START, child_environment, decode, freecad_program
+from .language import in_words
 from .preferences import child_threads
 
+translate = FreeCAD.Qt.translate
 _GRACE = 4000  # ms from closing its standard input until a child that does not end is killed
-_SURE = 0.03  # share of the work from which on the time left is guessed
+_TICK = 1000  # ms between two looks at the clock while nothing is reported
 
 
 class Progress(NamedTuple):
@@ -54,7 +58,9 @@ class ChildWork(QtCore.QObject):
         self._error = ""
         self._code: Optional[int] = None
         self._silent = False
-        self._started = time.monotonic()
+        self._left, self._latest = TimeLeft(time.monotonic), Progress(0.0, "", None)
+        self._ticks = QtCore.QTimer(self)
+        self._ticks.timeout.connect(lambda: self._tell(self._latest.share, self._latest.what))
         self.process = QtCore.QProcess()
         environment = QtCore.QProcessEnvironment()
         for name, value in child_environment(module, options).items():
@@ -76,11 +82,13 @@ class ChildWork(QtCore.QObject):
             If FreeCAD's console program is not found.
         """
         words = console_program()
+        self._ticks.start(_TICK)
         self.process.start(words[0], [*words[1:], START])
 
     def cancel(self) -> None:
         """End the work; nothing more is heard of it."""
         self._silent = True
+        self._ticks.stop()
         self.process.closeWriteChannel()
         QtCore.QTimer.singleShot(_GRACE, self._kill)
 
@@ -104,8 +112,8 @@ class ChildWork(QtCore.QObject):
     def _take(self, message: Mapping[str, Any]) -> None:
         kind = message["kind"]
         if kind == "progress" and not self._silent:
-            share = float(message["share"])
-            self.progressed.emit(Progress(share, message["what"], self._left(share)))
+            self._left.report(float(message["share"]))
+            self._tell(float(message["share"]), message["what"])
         elif kind == "error":
             self._error = message["text"]
         elif kind == "trace":
@@ -113,10 +121,14 @@ class ChildWork(QtCore.QObject):
         elif kind == "end":
             self._code = message["code"]
 
-    def _left(self, share: float) -> Optional[float]:
-        return (time.monotonic() - self._started) * (1 - share) / share if share > _SURE else None
+    def _tell(self, share: float, what: str) -> None:
+        """Tell how far it is; between two reports the time left runs down."""
+        self._latest = Progress(share, what, self._left.seconds())
+        if what and not self._silent:
+            self.progressed.emit(self._latest)
 
     def _finished(self, *_: Any) -> None:
+        self._ticks.stop()
         self._read()
         if not self._silent:
             if self._code == 0:
@@ -127,6 +139,7 @@ class ChildWork(QtCore.QObject):
         shutil.rmtree(self._folder, ignore_errors=True)
 
     def _not_started(self, error: Any) -> None:
+        self._ticks.stop()
         if error == QtCore.QProcess.FailedToStart and not self._silent:
             self.failed.emit(f"FreeCAD's console program could not be started: {self.process.errorString()}")
             shutil.rmtree(self._folder, ignore_errors=True)
@@ -180,3 +193,24 @@ def time_text(seconds: float) -> str:
     """
     whole = max(int(-(-seconds // 1)), 1)
     return f"{whole} s" if whole < 60 else f"{whole // 60} min {whole % 60} s"
+
+
+def progress_text(progress: Progress) -> str:
+    """Return what is being done and how long it still takes, in round numbers: they are looked at, not reckoned with.
+
+    Examples
+    --------
+    >>> progress_text(Progress(0.5, "rods", 130.0)), progress_text(Progress(0.9, "rods", 3.0))
+    ('rods, about 2 min left', 'rods, a few seconds left')
+    """
+    what, left = in_words(progress.what), progress.left
+    if left is None:
+        return what
+    if left < 5:
+        return translate("Trabecula", "{}, a few seconds left").format(what)
+    if left < 55:
+        return translate("Trabecula", "{}, about {} s left").format(what, 5 * math.ceil(left / 5))
+    minutes = int(left / 60 + 0.5)
+    if minutes < 60:
+        return translate("Trabecula", "{}, about {} min left").format(what, max(minutes, 1))
+    return translate("Trabecula", "{}, about {} h {} min left").format(what, minutes // 60, minutes % 60)

@@ -18,6 +18,7 @@ from .build_bar import BuildBar
 from .building import MAKERS, Building, Listener, Target, Writing
 from .design_envelope import DesignEnvelope
 from .design_form import IN_DOCUMENT, Callbacks, DesignForm
+from .notice import tell_of
 from .outcome import Outcome
 from .picking import FacePicker
 from .preview import Preview
@@ -306,6 +307,7 @@ class DesignPanel:
     def _built(self) -> None:
         self._building = None
         name = self.document.Name  # not the document: it may be closed by then
+        tell_of(name, "", True)
         self._leave()
         FreeCADGui.Control.closeDialog()
         invoke_later(lambda: open_results(name))
@@ -314,6 +316,7 @@ class DesignPanel:
         self._building = None
         if not self._open:
             return
+        tell_of(self.document.Name, "", False)
         self._set_working(False)
         self._clear_view.apply(self.envelope, self._hidden())
         self.outcome.show_error(str(error))

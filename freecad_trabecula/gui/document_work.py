@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Set
+from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Set
 
 import FreeCAD
 
@@ -14,7 +14,8 @@ from ..errors import Cancelled, TrabeculaError
 from ..features import results
 from ..features.relations import type_of
 from .child_work import ChildWork, task_work
-from .recomputing import WorkBar
+from .notice import tell_of
+from .recomputing import WorkBar, document_label
 from .transactions import record, told, transaction
 
 _works: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
@@ -102,7 +103,7 @@ class DocumentWork:
             self._failed(error)
 
 
-_current: List[DocumentWork] = []
+_current: Dict[str, DocumentWork] = {}  # by the document's name: each has its own
 
 
 def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
@@ -115,14 +116,15 @@ def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
     """
 
     def finish(obj: Any = None) -> None:
-        bar.hide()
-        bar.deleteLater()
-        _current.clear()
+        bar.close_bar()
+        _current.pop(order.document, None)
         if obj is not None:
+            tell_of(order.document, obj.Name, True)
             done(obj)
 
     def fail(error: TrabeculaError) -> None:
         finish()
+        tell_of(order.document, "", False)
         with told():
             raise error
 
@@ -130,9 +132,9 @@ def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
         work.cancel()
         finish()
 
-    bar = WorkBar(cancel)
+    bar = WorkBar(cancel, document_label(order.document))
     work = DocumentWork(order, bar.show_progress, finish, fail)
-    _current[:] = [work]
+    _current[order.document] = work
     bar.show_start()
     try:
         work.start()
@@ -141,9 +143,9 @@ def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
         raise
 
 
-def is_busy() -> bool:
-    """Return whether something that was asked for with one click is on its way."""
-    return bool(_current)
+def is_busy(document: str = "") -> bool:
+    """Return whether something that was asked for with one click is on its way, in one document or in any."""
+    return document in _current if document else bool(_current)
 
 
 def write_step(document: str, step: str, parameters: Any, lines: Sequence[str], kind: str, changed: str = "") -> Any:

@@ -6,7 +6,7 @@ The objects say "being computed" meanwhile and keep what they had; the status ba
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Set, Tuple
+from typing import Any, Dict, List, Optional, Set, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -20,8 +20,8 @@ from ..features.jobs import job_of
 from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
 from ..features.relations import wireframe_of
 from ..features.voxel_design import VoxelDesign
-from .child_work import ChildWork, Progress, task_work, time_text
-from .language import in_words
+from .child_work import ChildWork, Progress, progress_text, task_work
+from .notice import tell_of
 from .qt import invoke_later
 
 translate = FreeCAD.Qt.translate
@@ -37,7 +37,7 @@ class Recomputing(QtCore.QObject):
         self._wanted: Dict[Owner, Dict[str, str]] = {}
         self._works: Dict[Owner, ChildWork] = {}
         self._failed: Dict[Tuple[str, str], Tuple[str, str]] = {}  # key and sentence, by names of document and object
-        self._bar = WorkBar(self.cancel)
+        self._bars: Dict[Owner, WorkBar] = {}
         FreeCAD.addDocumentObserver(self)
 
     def take(self, obj: Any, key: str) -> bool:
@@ -84,7 +84,8 @@ class Recomputing(QtCore.QObject):
             return
         try:
             work = task_work(lambda folder: make.write_task(folder, objects))
-            work.progressed.connect(self._bar.show_progress)
+            bar = WorkBar(lambda: self.cancel(owner), document_label(owner[0]))
+            work.progressed.connect(bar.show_progress)
             work.succeeded.connect(lambda folder: self._take(owner, folder))
             work.failed.connect(lambda text: self._fail(owner, text))
             work.process.finished.connect(lambda *_: _ended.discard(work))
@@ -93,8 +94,8 @@ class Recomputing(QtCore.QObject):
             self._fail(owner, str(error))
             return
         _ended.add(work)
-        self._works[owner] = work
-        self._bar.show_start()
+        self._works[owner], self._bars[owner] = work, bar
+        bar.show_start()
 
     def _objects(self, owner: Owner) -> List[Any]:
         """Those that wait: one alone, or a wireframe, which stands for its sites, and bodies made of it."""
@@ -127,17 +128,25 @@ class Recomputing(QtCore.QObject):
             for obj in filter(None, map(document.getObject, names)):
                 obj.touch()
             document.recompute()
+            done = [obj for obj in map(document.getObject, names) if obj is not None]
+            if done:
+                tell_of(owner[0], done[0].Name, all(obj.isValid() for obj in done))
 
     def _end(self, owner: Owner) -> None:
         work = self._works.pop(owner, None)
         if work is not None:
             work.cancel()
-        if not self._works:
-            self._bar.hide()
+            self._bars.pop(owner).close_bar()
 
-    def cancel(self) -> None:
-        """End all work; the objects keep what they had and are out of date."""
+    def bars(self) -> List[WorkBar]:
+        """Return the bars of the works that go on, one for each design."""
+        return list(self._bars.values())
+
+    def cancel(self, only: Optional[Owner] = None) -> None:
+        """End the work of one design, or all; the objects keep what they had and are out of date."""
         for owner, names in list(self._wanted.items()):
+            if only not in (None, owner):
+                continue
             del self._wanted[owner]
             self._end(owner)
             if owner[0] in FreeCAD.listDocuments():
@@ -188,10 +197,13 @@ class WorkBar(QtGui.QWidget):
     ----------
     cancel : callable
         Called by the button.
+    name : str
+        Of the document; it is said while several are open.
     """
 
-    def __init__(self, cancel: Any) -> None:
+    def __init__(self, cancel: Any, name: str = "") -> None:
         super().__init__()
+        self._name = name
         self.what, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
@@ -214,8 +226,20 @@ class WorkBar(QtGui.QWidget):
     def show_progress(self, progress: Progress) -> None:
         """Show how far it is."""
         self.bar.setValue(int(1000 * progress.share))
-        left = translate("Trabecula", ", {} left").format(time_text(progress.left)) if progress.left else ""
-        self.what.setText(in_words(progress.what) + left)
+        text = progress_text(progress)
+        several = self._name and len(FreeCAD.listDocuments()) > 1
+        self.what.setText(f"{self._name}: {text}" if several else text)
+
+    def close_bar(self) -> None:
+        """Take it out of the status bar."""
+        self.hide()
+        FreeCADGui.getMainWindow().statusBar().removeWidget(self)
+        self.deleteLater()
+
+
+def document_label(name: str) -> str:
+    """Return what a document is called in the window; empty if it is not open any more."""
+    return FreeCAD.getDocument(name).Label if name in FreeCAD.listDocuments() else ""
 
 
 _recomputing: List[Recomputing] = []

@@ -14,6 +14,7 @@ from ..errors import TrabeculaError
 from .build_bar import BuildBar
 from .document_work import DocumentWork, Order
 from .language import in_words
+from .notice import tell_of
 from .outcome import RED
 from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
 from .transactions import told
@@ -126,6 +127,7 @@ class WorkPanel:
         if self._open:
             self.lock_source(True)
             self.message.setText(in_words(obj.Status))
+        tell_of(self._name, obj.Name, True)
         self._show(obj)
         if self._closes and self._open:
             self._leave()
@@ -133,6 +135,7 @@ class WorkPanel:
 
     def _refused(self, error: TrabeculaError) -> None:
         self._end_work()
+        tell_of(self._name, "", False)
         if self._open:
             self.refuse(error)
         with told():
