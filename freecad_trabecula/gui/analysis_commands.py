@@ -61,7 +61,7 @@ class AnalyseNow(Command):
     def reason(self) -> str:
         """Return why not: a body must be selected, and one analysis is made at a time."""
         without = super().reason()
-        if not without and is_busy(active_document().Name):
+        if not without and is_busy(FreeCAD.ActiveDocument.Name):
             without = translate("Trabecula", "an analysis is on its way already")
         if not without and not _bodies():
             without = translate("Trabecula", "select a network, a scaffold, a mesh or a solid")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A quiet notice in the corner of the window: work has ended while the user was elsewhere. It stays until it is seen."""
+"""A quiet notice in the corner of the window: work has ended while one was elsewhere. It stays until it is seen."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from PySide import QtGui
 from ..features.on_demand import hand_long_work_to
 from ..features.relations import roles_of, type_of
 from ..features.stateless import Stateless
-from . import colouring
+from . import colouring, thumbnail
 from .looks import ANGLE, DARK, DEVIATION, PLAIN, look_of
 from .qt import icon_path, invoke_later
 
