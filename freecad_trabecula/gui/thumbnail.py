@@ -10,7 +10,7 @@ import shutil
 import tempfile
 import zipfile
 from pathlib import Path
-from typing import Any
+from typing import Any, List
 
 import FreeCAD
 import FreeCADGui
@@ -69,5 +69,11 @@ class SaveObserver:
             FreeCAD.Console.PrintLog(f"no picture in {path}: {error}\n")
 
 
-observer = SaveObserver()
-FreeCAD.addDocumentObserver(observer)
+_observers: List[SaveObserver] = []
+
+
+def add_pictures_to_files() -> None:
+    """Have pictures added from now on."""
+    if not _observers:
+        _observers.append(SaveObserver())
+        FreeCAD.addDocumentObserver(_observers[0])

@@ -11,9 +11,10 @@ from PySide import QtGui
 from ..features.on_demand import hand_long_work_to
 from ..features.relations import roles_of, type_of
 from ..features.stateless import Stateless
-from . import colouring, thumbnail
+from . import colouring
 from .looks import ANGLE, DARK, DEVIATION, PLAIN, look_of
 from .qt import icon_path, invoke_later
+from .thumbnail import add_pictures_to_files
 
 
 def attach(obj: Any) -> None:
@@ -154,3 +155,4 @@ def _compute_elsewhere(obj: Any, key: str) -> bool:
 
 
 hand_long_work_to(_compute_elsewhere)
+add_pictures_to_files()

@@ -8,6 +8,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import Part
+from pivy import coin
 from PySide import QtGui
 from window import WindowTest, settle, wait
 
@@ -45,18 +46,19 @@ class SectionTest(WindowTest):
         FreeCADGui.activeDocument().activeView().fitAll()
         FreeCADGui.runCommand("Trabecula_Section")
         self.dock = section_dock()
+        self.dock.take_axis("z")
         self.assertTrue(wait(lambda: len(self.dock.section._bodies) == 2, 20))
 
     def tearDown(self):
         self.dock.hide()
         self.dock.fill.set_value("plain")
         self.dock.other_side.setChecked(False)
-        self.dock.take_axis("z") if self.dock.section else None
+        self.dock.axes["z"].setChecked(True)
         super().tearDown()
 
     def kept(self, *point):
         """Return whether a point is drawn."""
-        return self.dock.section._clip.plane.getValue().isInHalfSpace(tuple(point))
+        return self.dock.section._clip.plane.getValue().isInHalfSpace(coin.SbVec3f(*(float(one) for one in point)))
 
     def test_it_begins_in_the_middle_and_follows_axis_height_and_side(self):
         self.assertEqual(self.dock.height_field.value(), 5.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Saved files hold a picture of the view, unless the user has switched that off; FreeCAD's preference stays as it is."""
+"""Saved files hold a picture of the view, unless that was switched off; FreeCAD's preference stays as it is."""
 
 import tempfile
 import zipfile
