@@ -19,13 +19,14 @@ sys.path.insert(0, str(ROOT / "tests"))
 import run as tests  # noqa: E402  the folder comes first
 
 PARTS = (
-    *("panels", "analysis", "voxels", "study", "dark", "case1", "case2", "case3", "case4", "case5", "case6"),
+    *("panels", "analysis", "voxels", "study", "seeing", "dark", "case1", "case2", "case3", "case4", "case5", "case6"),
     *("prism420", "cranial", "femur"),
 )
 #: Pictures that the pages show.
 IN_DOCS = ("design-sites", "design-pores", "design-couplings", "results-figures", "edit-site", "cranial-preview",
            "case6-scaffold", "cranial-scaffold", "analysis-areas", "analysis-compared", "voxels-panel",
-           "voxels-layers", "voxels-tables", "voxels-watch", "voxels-curves", "why-results", "variants")  # fmt: skip
+           "voxels-layers", "voxels-tables", "voxels-watch", "voxels-curves", "why-results", "variants",
+           "seeing-section", "seeing-colours")  # fmt: skip
 TIMEOUT = 900  # s a part
 
 

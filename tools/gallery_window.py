@@ -367,6 +367,35 @@ def take_study():
     shoot("variants")
 
 
+def take_seeing():
+    """Picture colours with their legend, ways to look through, the section plane, a notice."""
+    from freecad_trabecula.gui.notice import notices
+    from freecad_trabecula.gui.section_dock import section_dock
+
+    build(open_preset("case6"), "network", "scaffold").reject()
+    document = FreeCAD.ActiveDocument
+    scaffold, network = document.getObject("Scaffold"), document.getObject("Network")
+    view().viewIsometric()
+    view().fitAll()
+    scaffold.ViewObject.Visibility, network.ViewObject.Visibility = False, True
+    for by in ("size", "coupling", "recovery"):
+        FreeCADGui.runCommand("Trabecula_Colour_" + by)
+        shoot("seeing-colours" if by == "size" else "seeing-" + by)
+    FreeCADGui.runCommand("Trabecula_Sight_glass")
+    shoot("seeing-glass")
+    FreeCADGui.runCommand("Trabecula_Sight_solid")
+    scaffold.ViewObject.Visibility, network.ViewObject.Visibility = True, False
+    FreeCADGui.runCommand("Trabecula_Section")
+    dock = section_dock()
+    wait(lambda: dock.section._bodies, 30)
+    dock.place(3.0)
+    dock.fill.set_value("rods and plates")
+    shoot("seeing-section")
+    FreeCADGui.runCommand("Trabecula_Section")
+    notices().tell(document.Name, "case6: Scaffold is done", True, lambda: None)
+    shoot("seeing-notice")
+
+
 def take_dark():
     """Picture some panels with a dark theme of FreeCAD's own."""
     from freecad_trabecula import make
@@ -407,13 +436,12 @@ def main():
         if CHOICE["part"] != "theme":
             arrange()
         others = {"panels": take_panels, "analysis": take_analysis, "voxels": take_voxels}
-        others.update(dark=take_dark, study=take_study, theme=choose_dark_theme)
+        others.update(dark=take_dark, study=take_study, seeing=take_seeing, theme=choose_dark_theme)
         if CHOICE["part"].startswith("tour-"):
             import tour_window
 
             door = CHOICE["part"][len("tour-") :]
             others[CHOICE["part"]] = lambda: tour_window.walk_door(door, FOLDER, wait, shoot)
-        others.get(CHOICE["part"], lambda: take_design(CHOICE["part"]))()
         status = 0
     except SystemExit as stop:
         print(stop, file=output)

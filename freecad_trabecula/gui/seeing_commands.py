@@ -141,7 +141,7 @@ class SectionPlane(Command):
     """Shows the dock of the section plane."""
 
     NAME, ICON, NEEDS = "Trabecula_Section", "Trabecula_section", ("document",)
-    TEXT, KEYS = "Section plane", "T, K"
+    TEXT = "Section plane"
     TIP = "Cut the 3D view open along X, Y, Z or as you look at it. Needs a document; the document does not change"
 
     def run(self, index: int) -> None:

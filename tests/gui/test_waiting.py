@@ -58,11 +58,14 @@ class TwoDocumentsTest(WindowTest):
         self.change_both()
         for wireframe in (self.first, self.second):
             self.assertTrue(wireframe.Status.startswith(COMPUTING))
-        bars = of_window().bars()
-        self.assertEqual(len(bars), 2)
-        self.assertTrue(wait(lambda: all(bar.bar.value() > 0 for bar in bars), 120))
-        self.assertIn(f"{self.document.Label}: ", bars[0].what.text())
-        self.assertIn("Other: ", bars[1].what.text())
+        self.assertEqual(len(of_window().bars()), 2)
+        seen = set()
+
+        def both_seen():
+            seen.update(bar.what.text().partition(": ")[0] for bar in of_window().bars() if bar.bar.value() > 0)
+            return seen == {self.document.Label, "Other"}
+
+        self.assertTrue(wait(both_seen, 120), seen)
         self.wait_until_shown(self.first, self.second)
         for wireframe, name in ((self.first, "case6"), (self.second, "case5")):
             shown = make.wireframe_of(wireframe).paths.copy()
