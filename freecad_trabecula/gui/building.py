@@ -129,10 +129,10 @@ class Writing:
         if _open_writings:
             invoke_later(self._start_if_wanted, _TURN)
             return
-        _open_writings.append(self)
         self._document = FreeCAD.getDocument(self._target.document)
         self._listener.begins()
         self._document.openTransaction("Design rods")
+        _open_writings.append(self)
         self._go_on()
 
     def _start_if_wanted(self) -> None:
