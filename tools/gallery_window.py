@@ -442,6 +442,7 @@ def main():
 
             door = CHOICE["part"][len("tour-") :]
             others[CHOICE["part"]] = lambda: tour_window.walk_door(door, FOLDER, wait, shoot)
+        others.get(CHOICE["part"], lambda: take_design(CHOICE["part"]))()
         status = 0
     except SystemExit as stop:
         print(stop, file=output)
