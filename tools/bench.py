@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Our time beside a rival's on the same work, in one run (``make bench``): CPU seconds and peak memory.
 
-Every piece runs in a process of its own under FreeCAD, ours and the rival's in turn; the page is build/bench/bench.md.
-Slices of a mesh come last (``bench_slices.py``). ``ARGS="--only scaffold slices"`` chooses pieces, ``ARGS=--growth``
+Every piece runs in a process of its own under FreeCAD, ours and the rival's in turn; then slices of a mesh
+(``bench_slices.py``) and voxel designs (``bench_voxels.py``). A whole run writes docs/performance.md; ``ARGS="--only
+scaffold slices"`` chooses pieces, and renews the parts of slices and voxels if these are chosen, ``ARGS=--growth``
 measures how time and memory grow with the rods and draws docs/pictures/growth.png.
 """
 
@@ -16,6 +17,8 @@ import time
 from pathlib import Path
 
 import bench_slices
+import bench_voxels
+import generated_page
 import under_freecad
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -241,10 +244,9 @@ def compare(only):
             theirs, ratio = f"{rival}: {other}, -", seconds / other
         lines.append(f"| {work} | {seconds:.1f}, {memory:.2f} | {theirs} | {ratio:.3g} | {goal} | {text} |")
         print(lines[-1], flush=True)
-    write_page(
-        "bench.md",
-        "# Our time beside a rival's\n\nCPU seconds and peak memory of whole processes.\n\n" + "\n".join(lines),
-    )
+    write_page("bench.md", "# Our time beside a rival's\n\n" + "\n".join(lines))
+    if not only:
+        generated_page.write_part("performance.md", "rods", "Made by `make bench`.\n\n" + "\n".join(lines))
 
 
 def grow():
@@ -320,3 +322,5 @@ if __name__ == "__main__":
     grow() if chosen.growth else compare(chosen.only)
     if not chosen.growth and (not chosen.only or "slices" in chosen.only):
         bench_slices.run(bench_slices.parse([]))
+    if not chosen.growth and (not chosen.only or "voxels" in chosen.only):
+        bench_voxels.run()

@@ -22,6 +22,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import generated_page
 import under_freecad
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -310,7 +311,8 @@ def speed(mesh):
             text = "failed" if ours is None else f"{ours[0]:.2f}, {ours[1]:.0f}"
             lines.append(f"| {work} | {triangles} | {text} | {'; '.join(beside) or '-'} | {goal} |")
             print(lines[-1], flush=True)
-    write_page("slices.md", f"# Slices of {Path(mesh).name}\n\nMedian of {REPEATS} runs.\n\n" + "\n".join(lines))
+    text = f"{Path(mesh).name}, median of {REPEATS} runs.\n\n" + "\n".join(lines)
+    generated_page.write_part("performance.md", "slices", text)
 
 
 #: What is compared with what of ours, and its name.

@@ -22,6 +22,8 @@ import tempfile
 import time
 from pathlib import Path
 
+import generated_page
+
 ROOT = Path(__file__).resolve().parent.parent
 DATA = Path(os.environ.get("TRABECULA_DATA", str(ROOT.parent / "shared" / "data")))
 BONES = ("shrew_cube_10mm.stl", "trab_ior_3p86mm_12MB.stl")
@@ -147,7 +149,7 @@ def main(arguments):
     """Print the table; exit code 1 if a difference is above 10 %."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rival", help="a Python that has porespy")
-    parser.add_argument("--page", help="a file for the table")
+    parser.add_argument("--page", help="a file for the table; else, with a rival, its part of docs/analysis.md")
     options = parser.parse_args(arguments)
     rows, good, lines = [], True, []
     for name in BONES:
@@ -167,6 +169,8 @@ def main(arguments):
     text = "\n".join(["| " + " | ".join(row) + " |" for row in (head, ["---"] * len(head), *rows)])
     page = "\n".join([text, "", *lines, f"All within {100 * WITHIN:.0f} %." if good else "NOT all within 10 %.", ""])
     print(page)
+    if options.rival and not options.page:
+        generated_page.write_part("analysis.md", "morphometry", page)
     if options.page:
         Path(options.page).write_text(page, encoding="utf-8")
     return 0 if good else 1

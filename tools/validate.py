@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The thesis' tables beside ours (``make validate``): a page in markdown, printed and left in build/validate/.
+"""The thesis' tables beside ours (``make validate``): docs/validation.md, then the pages of slices and of voxels.
 
 Chapter 3: ten seeds a case, union and plain sum of the rods against the thesis' porosity; case 1 against crossing
-cylinders in closed form; time a rod. Chapter 4: tables 4.1 to 4.6 of both studies. ``--seeds N`` takes fewer seeds,
-``--page FILE`` writes the page elsewhere.
+cylinders in closed form; time a rod. Chapter 4: tables 4.1 to 4.6 of both studies. Without words docs/validation.md is
+written, then docs/validation-slices.md by ``thesis_chapter5.py`` and docs/validation-voxels.md by ``voxel_bones.py``.
+``--seeds N`` takes fewer seeds; that page is left in build/validate, or where ``--page FILE`` says, and the others are
+not made.
 """
 
 import argparse
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -194,7 +197,8 @@ def main(arguments):
     page = f"# The thesis' figures beside ours\n\nMade by `make validate` on FreeCAD {version}.\n\n" + "\n".join(
         p for p, _ in parts
     )
-    path = Path(options.page or ROOT / "build" / "validate" / f"{version}.md")
+    elsewhere = ROOT / "build" / "validate" / f"{version}.md" if arguments else ROOT / "docs" / "validation.md"
+    path = Path(options.page or elsewhere)
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(page, encoding="utf-8")
     print(page)
@@ -204,5 +208,14 @@ def main(arguments):
     return 0 if good else 1
 
 
+def run_all():
+    """Write every page of validation; return the sum of the exit codes."""
+    code = under_freecad.run(__file__)
+    if sys.argv[1:]:
+        return code
+    others = ("thesis_chapter5.py", "voxel_bones.py")
+    return code + sum(subprocess.call([sys.executable, str(ROOT / "tools" / name)]) for name in others)
+
+
 if __name__ == "__main__":
-    sys.exit(under_freecad.run(__file__))
+    sys.exit(min(run_all(), 1))

@@ -4,7 +4,7 @@
 
     python3 tools/voxel_runs.py seeds [--seeds 20] [--contacts edge] [--trabeculae off] [--thickness 1] [--void 1]
     python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled; by all strategies
-    python3 tools/voxel_runs.py growth --edges 50 100 200
+    python3 tools/voxel_runs.py growth                   # 50^3 to 512^3; draws docs/pictures/voxels-growth.png
 
 Samples are the shrew cube and the human bone at 0.1 mm. Times are CPU seconds of one thread; the texture is fitted once
 for a sample, and its time is told apart. ``--pictures DIR``: layers of the bone above those of designs.
@@ -13,8 +13,10 @@ for a sample, and its time is told apart. ``--pictures DIR``: layers of the bone
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import resource
+import subprocess
 import sys
 import time
 from dataclasses import replace
@@ -46,6 +48,9 @@ from freecad_trabecula.core.voxels.verification import layer_errors  # noqa: E40
 from freecad_trabecula.errors import ExactnessError  # noqa: E402
 
 DATA = Path(os.environ.get("TRABECULA_DATA") or ROOT.parent / "shared" / "data")
+WAVE = 14.0  # voxels: the human bone's at 0.1 mm
+#: Edge and goal, of seconds and of memory in GB.
+GOALS = ([(100, 2.5), (200, 5), (400, 60), (512, 180)], [(400, 3), (512, 6)])
 SAMPLES = {"shrew": "shrew_cube_10mm.stl", "human": "trab_ior_10mm_13MB.stl"}
 
 
@@ -166,36 +171,78 @@ def _filled(targets, parameters, mask):
     return voxels, targets, seconds, mask
 
 
-def growth(options):
-    """Design boxes of the human bone's profiles at growing resolution, its waves growing with it."""
+def grown(options):
+    """Design one box of the human bone's profiles; print its edge, waves, CPU seconds, peak memory in GB, faults."""
     targets = read_targets(options.data / SAMPLES["human"], VoxelParameters())
     share = [counts / size for counts, size in zip(targets.counts, targets.layer_sizes)]
-    for edge in options.edges:
-        at = [np.interp((np.arange(edge) + 0.5) / edge * len(s), np.arange(len(s)) + 0.5, s) for s in share]
-        finer = targets_within(np.ones((edge,) * 3, bool), at)
-        wave = 14.0 * edge / 100 * 0.1
-        voxels, seconds = made(finer, VoxelParameters(wavelength=wave, rods=0.3, contacts=options.contacts))
-        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
-        print(
-            f"{edge}^3: layers off {len(layer_errors(voxels, finer))}, {seconds:.1f} s, peak {peak:.2f} GB", flush=True
-        )
+    (edge,) = options.edges
+    at = [np.interp((np.arange(edge) + 0.5) / edge * len(s), np.arange(len(s)) + 0.5, s) for s in share]
+    finer = targets_within(np.ones((edge,) * 3, bool), at)
+    waves = options.waves or WAVE * edge / 100
+    chosen = VoxelParameters(wavelength=waves * finer.voxel[0], rods=0.3, contacts=options.contacts)
+    voxels, seconds = made(finer, chosen)
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+    faults = len(layer_errors(voxels, finer)) + abs(len(parts(voxels)[1]) - 2) + edge_contacts(voxels)
+    print(json.dumps([edge, waves, seconds, peak, faults]))
+
+
+def growth(options):
+    """Design boxes of growing resolution, with waves that grow with them and waves of 14 voxels; draw the growth."""
+    found = {"waves grow with the box": [], f"waves of {WAVE:g} voxels": []}
+    for (name, rows), waves in zip(found.items(), (0, WAVE)):
+        for edge in options.edges:
+            words = ["--edges", str(edge), "--waves", str(waves), "--contacts", options.contacts]
+            command = [sys.executable, __file__, "grown", *words, "--data", str(options.data)]
+            rows.append(json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout))
+            _, _, seconds, peak, faults = rows[-1]
+            print(f"{edge}^3, {name}: {seconds:.1f} s, peak {peak:.2f} GB, faults {faults}", flush=True)
+    draw_growth(found)
+    return any(row[4] for rows in found.values() for row in rows)
+
+
+def draw_growth(found):
+    """Draw seconds and memory against the voxels into docs/pictures/voxels-growth.png (needs matplotlib)."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(1, 2, figsize=(10, 4))
+    for name, rows in found.items():
+        edges, _, seconds, memory, _ = zip(*rows)
+        for axis, values in zip(axes, (seconds, memory)):
+            axis.loglog([edge**3 for edge in edges], values, "o-", label=name)
+    for axis, goals, label in zip(axes, GOALS, ("CPU seconds, field included", "peak memory, GB")):
+        axis.loglog(*zip(*[(edge**3, goal) for edge, goal in goals]), "kx", label="goals")
+        axis.set_xticks([edge**3 for edge in edges], [f"{edge}³" for edge in edges])
+        axis.minorticks_off()
+        axis.set_xlabel("cells of the box")
+        axis.set_ylabel(label)
+        axis.grid(True, alpha=0.3)
+        axis.legend(loc="upper left")
+    figure.tight_layout()
+    path = ROOT / "docs" / "pictures" / "voxels-growth.png"
+    figure.savefig(path, dpi=110)
+    print(f"drawn in {path}")
 
 
 def main():
     """Read the command line and run one check."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("check", choices=("seeds", "masks", "growth"))
+    parser.add_argument("check", choices=("seeds", "masks", "growth", "grown"))
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--contacts", default="edge", choices=("any", "edge", "corner"))
     parser.add_argument("--trabeculae", default="off")
     parser.add_argument("--thickness", type=int, default=1)
     parser.add_argument("--void", type=int, default=1)
-    parser.add_argument("--edges", type=int, nargs="+", default=[50, 100, 200])
+    parser.add_argument("--edges", type=int, nargs="+", default=[50, 100, 200, 400, 512])
+    parser.add_argument("--waves", type=float, default=0, help="of one box, voxels; 0: they grow with it")
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--data", type=Path, default=DATA)
     options = parser.parse_args()
-    {"seeds": seeds, "masks": masks, "growth": growth}[options.check](options)
+    checks = {"seeds": seeds, "masks": masks, "growth": growth, "grown": grown}
+    return int(bool(checks[options.check](options)))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
