@@ -38,8 +38,7 @@ workbench loaded.
 
 A document keeps meshes as single-precision triangles, voxels as bits (48 in a number), wireframes and analyses as lists
 of numbers; networks and solid scaffolds are FreeCAD's own shapes. [documents.md](documents.md) says what is kept where.
-The panels say beforehand how many rods or voxels a design has and what time and memory it takes; what would take more
-than 5 s or 50 MB is never started without it.
+The panels say beforehand how many rods or voxels a design has, and what time and memory it takes.
 """
 
 
