@@ -113,8 +113,8 @@ def open_sums(sums: Sequence[np.ndarray], cap: int) -> List[np.ndarray]:
 
     Examples
     --------
-    >>> [s.tolist() for s in open_sums([np.array([0, 3, 4]), np.array([2, 3, 1, 1])], 1)]
-    [[3], [1, 1, 1]]
+    >>> [s.tolist() for s in open_sums([np.array([0, 2, 2, 4]), np.array([3, 2, 2, 1])], 1)]
+    [[1, 1], [1, 1]]
     """
     left = [np.asarray(s, np.int64) for s in sums]
     while True:
