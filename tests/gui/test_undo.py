@@ -41,6 +41,7 @@ LOOKING = [
     "Trabecula_WriteReport",
 ]
 #: Commands that do, each with a test below (tables and variants: in their own files); of presets one stands for all.
+#: Sites on faces and jobs open the same panel as a preset, whose end is the same step.
 CHANGING = [
     "Trabecula_Analysis",
     "Trabecula_AnalyseNow",
