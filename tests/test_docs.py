@@ -3,12 +3,15 @@
 
 import ast
 import re
+import shlex
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
 
 from freecad_trabecula.core.analysis.tables import BRANCH_COLUMNS, CONTOUR_COLUMNS, PROFILE_COLUMNS
 from freecad_trabecula.gui import help_pages
+from freecad_trabecula.shell.arguments import read_arguments
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
@@ -97,6 +100,20 @@ def test_every_command_has_a_page_which_the_list_of_commands_names():
     assert [path.name for path in COMMANDS.glob("*.md") if path.name not in (*listed, "README.md")] == []
 
 
+def test_the_pages_to_which_panels_and_docks_lead_are_there():
+    texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / "freecad_trabecula" / "gui").glob("*.py")}
+    named_pages = {page for text in texts.values() for page in re.findall(r"\"((?:commands/)?[\w-]+\.md)\"", text)}
+    assert len(named_pages) > 8
+    assert [page for page in sorted(named_pages - {"search.md"}) if not (DOCS / page).is_file()] == []
+    docks = [path.name for path, text in texts.items() if "(QtGui.QDockWidget)" in text or "(ObjectDock)" in text]
+    bare = {"help_dock.py", "object_dock.py", "task_dock.py"}  # the help itself, the base of two, FreeCAD's own
+    assert [
+        name
+        for name in docks
+        if name not in bare and "help_buttons(" not in texts[ROOT / "freecad_trabecula" / "gui" / name]
+    ] == []
+
+
 def script_names():
     """Return the functions of ``make``."""
     for node in ast.parse((ROOT / "freecad_trabecula" / "make.py").read_text(encoding="utf-8")).body:
@@ -123,6 +140,40 @@ def test_the_page_of_a_command_says_all_there_is_to_say(page):
     assert set(re.findall(r"make\.(\w+)", rows["script"])) <= script_names()
     assert set(re.findall(r"--[a-z][\w-]*", rows["shell"])) <= flags_of_the_shell()
     assert "(../../resources/icons/" in text
+
+
+def shell_lines(page):
+    """Return the words of the commands of ours in a page's blocks of code."""
+    blocks = re.findall(r"```sh\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    lines = [line.partition(" #")[0] for block in blocks for line in block.splitlines()]
+    return [shlex.split(line)[3:] for line in lines if line.startswith("python3 -m freecad_trabecula")]
+
+
+def test_every_line_for_the_shell_is_one_that_the_shell_takes():
+    lines = [words for page in PAGES for words in shell_lines(page)]
+    assert len(lines) > 8
+    for words in lines:
+        command, _ = read_arguments(words)  # wrong words end it with exit code 2
+        assert command.name == words[0]
+
+
+@pytest.mark.parametrize("language, column", [("it", 2), ("de", 3)])
+def test_the_glossary_has_the_words_of_the_translations(language, column):
+    text = (DOCS / "glossary.md").read_text(encoding="utf-8").partition("## Measures")[0]
+    rows = {
+        cells[0]: cells for cells in re.findall(r"^\| \*(.+?)\* \| (.+?) \| (.+?) \| (.+?) \|$", text, re.MULTILINE)
+    }
+    path = ROOT / "resources" / "translations" / f"Trabecula_{language}.ts"
+    shown = {
+        one.findtext("source"): one.findtext("translation") for one in ElementTree.parse(str(path)).iter("message")
+    }
+    seen = 0
+    for word, cells in rows.items():
+        for source in (word, word.capitalize()):
+            if source.lower() != "trabecula" and shown.get(source):  # our name too
+                seen += 1
+                assert shown[source].lower() == cells[column].lower(), word
+    assert seen >= 10
 
 
 def test_the_columns_in_the_page_of_files_are_those_that_are_written():

@@ -16,7 +16,7 @@ from .doors import DOORS, LATER, NEXT, OPEN, Door, Marked, Seen, door_of, marked
 from .example_projects import open_example
 from .outcome import GREEN, RED
 from .preferences import GROUP, preference
-from .qt import icon, invoke_later, is_alive
+from .qt import help_buttons, icon, invoke_later, is_alive
 from .status_work import is_working
 from .transactions import say, told
 from .voxel_dock import voxel_dock
@@ -117,7 +117,13 @@ class GuideDock(QtGui.QDockWidget):
         self.pages = QtGui.QStackedWidget()
         self.pages.addWidget(self._scrolled(self._make_doors()))
         self.pages.addWidget(self._scrolled(self._make_steps()))
-        self.setWidget(self.pages)
+        page = QtGui.QWidget()
+        column = QtGui.QVBoxLayout(page)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(help_buttons("commands/Start.md"), 0, QtCore.Qt.AlignRight)
+        column.addWidget(self.pages)
+        self.setWidget(page)
         self._clock = QtCore.QTimer(self)
         self._clock.setInterval(_PAUSE)
         self._clock.timeout.connect(self.look)

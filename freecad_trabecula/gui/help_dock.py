@@ -27,6 +27,7 @@ class PageView(QtGui.QTextBrowser):
     def __init__(self) -> None:
         super().__init__()
         self.setOpenExternalLinks(True)
+        self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOn)  # the width stays, whatever the page's length
         self.document().setDocumentMargin(_MARGIN)
         self.sourceChanged.connect(self._dress)
         self._wait = QtCore.QTimer(self)

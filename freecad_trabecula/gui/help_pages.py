@@ -10,6 +10,7 @@ from typing import Iterator, List, NamedTuple, Sequence, Tuple
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 CONTENTS, GLOSSARY = "README.md", "glossary.md"
 MOST_HITS = 60  # passages that a search shows: more are not read
+MOST_WORD = 18  # characters of a word that are kept together in a table
 QUOTED = 180  # characters of each
 _FENCE = "```"
 
@@ -148,7 +149,8 @@ def column_shares(texts: Sequence[Sequence[str]]) -> List[float]:
     >>> column_shares([["ab", "cd"], ["one two", "three"]])
     [0.385, 0.615]
     """
-    words = [max((len(word) for text in column for word in text.split()), default=1) + 3 for column in texts]
+    longest = [max((len(word) for text in column for word in text.split()), default=1) for column in texts]
+    words = [min(word, MOST_WORD) + 3 for word in longest]
     lines = [max(map(len, column)) ** 0.5 * max(word, 3) ** 0.5 for word, column in zip(words, texts)]
     wanted = [max(word, line) for word, line in zip(words, lines)]
     return [round(one / sum(wanted), 3) for one in wanted]
