@@ -34,6 +34,7 @@ LOOKING = [
     "Trabecula_RodInfo",
     "Trabecula_SaveAnalyses",
     "Trabecula_SaveJob",
+    "Trabecula_Section",
     "Trabecula_Start",
     "Trabecula_VoxelExport",
     "Trabecula_VoxelLayers",
