@@ -20,7 +20,7 @@ from gallery import tests  # noqa: E402
 
 DOORS = ("rods", "measure", "voxels")
 COLOURS, MOST_BYTES = 128, 100_000
-SHEET = 2, (620, 388)  # pictures beside each other, pixels of each
+SHEET = 3, (420, 263)  # pictures beside each other, pixels of each
 
 
 def read_arguments():
