@@ -341,7 +341,8 @@ WRITTEN = (
     *("report_text.py", "comparison_report.py", "core/analysis/report.py", "core/report.py", "plots.py", "workbook.py"),
     *("mesh_formats.py", "svg_layers.py", "ssl.py", "volume_files.py", "brep_text.py", "job.py", "json_values.py"),
     *("features/scripts.py", "python_text.py", "design_numbers.py", "slice_numbers.py", "voxel_numbers.py"),
-    *("explanations/registry.py", "explanations/explanation.py", "brep_text.py"),
+    *("explanations/registry.py", "explanations/explanation.py", "explanations/report_rows.py"),
+    *("html_report/sections.py", "html_report/page.py", "features/report_sections.py"),
 )
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _NO_WORDS = re.compile(r"[\n<\\]|%[.d]|DOI|python3 -m|https?:|->|^[a-z]+_[a-z_]+ |^[a-z]+ -|\.json|^#|^\*")

@@ -1772,7 +1772,13 @@
         <translation>Stellen {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Slice analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Sliced area (mm2)</source>
         <translation>Schnittfläche (mm2)</translation>
     </message>
@@ -1793,16 +1799,19 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Total number of plates</source>
         <translation>Gesamtzahl der Platten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Total number of rods</source>
         <translation>Gesamtzahl der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Trabecular area range (mm2)</source>
         <translation>Bereich der Trabekelflächen (mm2)</translation>
     </message>
@@ -1810,6 +1819,11 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
         <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Voxel design</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -1988,9 +2002,19 @@
         <translation>ein Entwurf darf höchstens {} Voxel haben; {} bräuchten etwa {} GB Speicher; größere Voxel sind weniger, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>a design must have its scaffold to be told of: build it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>ein Entwurf muss volle Voxel haben, hier 0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>a design with its scaffold, an analysis or voxels are needed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
@@ -2248,6 +2272,11 @@
         <translation>eine Größe muss eine von {} sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>a report must have something to tell, got nothing in {}: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
         <source>a rod must be a valid solid of positive volume, got {} mm3 for rod {}</source>
         <translation>ein Stab muss ein gültiger Volumenkörper mit positivem Volumen sein, hier {} mm3 für Stab {}</translation>
@@ -2413,6 +2442,11 @@
         <translation>die Flächen eines Volumenkörpers müssen von Nähten begrenzt sein, die sich nicht kreuzen, hier {} von {} Nähten fast berührender Flächen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/variants.py"/>
+        <source>a spread must be that of at least 1 value, got 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a surface must be told by {} points at most, got {} x {}</source>
         <translation>eine Oberfläche darf durch höchstens {} Punkte beschrieben sein, hier {} x {}</translation>
@@ -2458,6 +2492,11 @@
         <translation>eine beschnittene Fläche mit Naht oder Pol darf sich nicht von ihrer Mittelebene abwenden</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>a variant must have rods, got none with seed {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must have three edges above 0, got {}</source>
         <translation>ein Voxel muss drei Kanten über 0 haben, hier {}</translation>
@@ -2491,6 +2530,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
         <translation>die Ausrichtung muss eine von {} sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>all held</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -2648,6 +2692,11 @@
         <translation>wie gezogen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
         <translation>Achsen einer Textur müssen drei Einheitsvektoren im rechten Winkel sein, hier {}</translation>
@@ -2666,6 +2715,11 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
         <translation>Körper müssen von {} sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>bone fraction BV/TV</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2696,6 +2750,11 @@
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>branches</source>
         <translation>Verzweigungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>branches a mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2748,12 +2807,19 @@
         <translation>Prüfungen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>checks that failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>choice of the convergence point</source>
         <translation>die Wahl des Konvergenzpunkts</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>closed cavities</source>
         <translation>geschlossene Hohlräume</translation>
     </message>
@@ -2766,6 +2832,11 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
         <translation>geschlossene Hohlräume sind {} des Hüllkörpers: viele Kanäle haben keinen Ausgang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>co-ordinate along the axis, mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2783,6 +2854,16 @@
         <translation>Koordinaten von Dreiecken müssen endlich sein, hier nan oder unendlich mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>components (6-neighbours)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>connected parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>connectivity density</source>
         <translation>Konnektivitätsdichte</translation>
@@ -2791,6 +2872,23 @@
         <location filename="../../freecad_trabecula/core/voxels/contacts.py"/>
         <source>contacts</source>
         <translation>Kontakte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>contacts by a corner alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>contacts by an edge alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>contours a slice</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2923,6 +3021,11 @@
         <translation>jede Ecke muss drei Koordinaten haben</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>end sections by size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
@@ -2934,6 +3037,11 @@
         <translation>Hüllkörper minus Stäbe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>equal layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: the computation broke off; the report view says where</source>
         <translation>Fehler: die Berechnung brach ab; die Ausgabeansicht sagt, wo</translation>
@@ -2942,6 +3050,16 @@
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>error: {}</source>
         <translation>Fehler: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/variants.py"/>
+        <source>estimate by rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>estimated area s^2, mm2</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3020,6 +3138,11 @@
         <translation>Feld</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>final sites 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
         <translation>Doppelte werden gesucht</translation>
@@ -3028,6 +3151,11 @@
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding parts</source>
         <translation>Teile werden gesucht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>floating voxels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -3065,6 +3193,16 @@
         <translation>Bilder müssen von der Art {} sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>initial sites 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
         <translation>Inseln</translation>
@@ -3095,6 +3233,11 @@
         <translation>ihre Standardabweichung</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>its volume against the voxels'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
         <source>joining open contours</source>
         <translation>offene Konturen werden verbunden</translation>
@@ -3115,9 +3258,19 @@
         <translation>verbindet die Stellen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>junctions a mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
         <translation>Verzweigungen je mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>largest alpha, beta</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
@@ -3168,6 +3321,11 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>layers</source>
         <translation>Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>layers N x M x P</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3230,6 +3388,16 @@
         <translation>Suche nach sich kreuzenden Dreiecken</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>loops: ways that part and meet again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>loose pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>loose pieces are {} of the envelope: the channels cut the scaffold apart</source>
         <translation>lose Teile sind {} des Hüllkörpers: die Kanäle zerschneiden das Gerüst</translation>
@@ -3238,6 +3406,21 @@
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
         <translation>m (geschätzt: der Körper wäre {} mm groß)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>manual design a rod, s (thesis 2.3.3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>mean bone fraction, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>mean deviation</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -3258,6 +3441,21 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>mean over the void inside the box of the largest inscribed sphere's diameter: mean pore size</source>
         <translation>Mittel über den Hohlraum im Quader des Durchmessers der größten einbeschriebenen Kugel: mittlere Porengröße</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>mean overlap, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>mean sliced area, mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>mean thickness of the sample (2 BV/BS), voxels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3417,6 +3615,11 @@
         <translation>Anzahl der Teile</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>numbers by two routes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
         <translation>Trabekelzahlen entlang {} brauchen eine Probe oder Zielwerte, die sie enthalten; hier keines</translation>
@@ -3472,6 +3675,11 @@
         <translation>äußere Konturen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>outer contours a slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
         <translation>Umrisse der Schichten</translation>
@@ -3485,6 +3693,16 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the void</source>
         <translation>über den Hohlraum</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/variants.py"/>
+        <source>overlap with seed {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>overlaps</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3512,6 +3730,11 @@
         <translation>eingefügt: das Dokument neu berechnen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>picture of seed {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>pieces</source>
         <translation>Teile</translation>
@@ -3527,9 +3750,50 @@
         <translation>Teile leerer Voxel, 6 Nachbarn, die keine Quaderfläche berühren</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>pieces: channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>pieces: closed voids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>pieces: closed_voids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>pieces: loose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>pieces: scaffold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>plain sum of the rods, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
         <translation>Ebenen müssen aufsteigen, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>plates, by that rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>plates, voids among them</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3572,9 +3836,19 @@
         <translation>Poren und Pfade</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>porosities must be found by one of {}, {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
         <translation>Porosität entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>porosity range, %</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -3585,6 +3859,17 @@
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
         <source>porosity {} %, {} rods cut; solid and mesh differ by {} %</source>
         <translation>Porosität {} %, {} Stäbe ausgeschnitten; Volumenkörper und Netz unterscheiden sich um {} %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>porosity, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>porosity, % (Eq. 2.2)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3616,6 +3901,11 @@
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>rates of compatible tables</source>
         <translation>Anteile verträglicher Tabellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
+        <source>rays</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -3674,9 +3964,19 @@
         <translation>Stab {}{} von {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
+        <source>rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>rods are coloured by one of {}, got {}</source>
         <translation>Stäbe werden nach einem von {} gefärbt, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>rods left out</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
@@ -3684,9 +3984,19 @@
         <translation>erzeugte Stäbe von den gekoppelten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>rods mended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
         <translation>Stäbe müssen geschlossene Netze sein: jeder Strahl muss so oft austreten wie eintreten, {} tun es nicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>rods, by the rule that turning does not change</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3740,6 +4050,11 @@
         <translation>Querschnitte je Stab müssen 1 oder 2 sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/variants.py"/>
+        <source>seeds must lie in 0..{}, got {} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>share of contours that are rods (thesis' rule), b less a</source>
         <translation>Anteil der Konturen, die Stäbe sind (Regel der Dissertation), b minus a</translation>
@@ -3748,6 +4063,11 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
         <translation>Anteil voller Voxel: der zweite Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>share of the largest</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3778,9 +4098,37 @@
         <translation>Stellen auf {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>size, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>slice analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>slice comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>sliced area</source>
         <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>sliced area, mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>sliced area, mm²</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -3796,6 +4144,11 @@
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
         <translation>Schnitte entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>smallest possible caps on alpha, beta</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3828,6 +4181,11 @@
         <translation>Volumenkörper aus Flicken</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>solid voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation>Volumenkörper: Stab {}{} von {}</translation>
@@ -3851,6 +4209,21 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>specific bone surface, by voxels</source>
         <translation>spezifische Knochenoberfläche aus Voxeln</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>spoilt slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>standard error, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>sum of area x thickness, mm3</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4071,6 +4444,7 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the envelope</source>
         <translation>der Hüllkörper</translation>
@@ -4387,6 +4761,11 @@
         <translation>die Glättungsdurchgänge müssen 0 oder mehr sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>the same, net of holes, mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
         <translation>die mittlere Dicke der Probe ist {} Voxel; unter {} sind ihre Stäbe nicht </translation>
@@ -4683,9 +5062,34 @@
         <translation>durch einen zufälligen Punkt eines Quaders um ihn (Gl. 3.1)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>time of all, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>time of the network a rod, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>time of the network, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
         <translation>für {} der Stelle {} wird ein Punkt gebraucht, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>total number of plates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>total number of rods</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4696,6 +5100,16 @@
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>trabeculae</source>
         <translation>Trabekel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>trabeculae (mean)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>trabeculae a layer along {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -4711,6 +5125,11 @@
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>trabecular area</source>
         <translation>Trabekelfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>trabecular area range, mm2</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4768,6 +5187,16 @@
         <translation>Dreiecke des Körpers</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>triangles of the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>true area, mm2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation>wahr oder falsch</translation>
@@ -4798,6 +5227,12 @@
         <translation>Vereinigung der Stäbe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>union of the rods, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>uniting contours</source>
         <translation>Konturen werden vereinigt</translation>
@@ -4818,6 +5253,16 @@
         <translation>Wert von b durch Wert von a, minus 1; 0 = gleich</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/variants.py"/>
+        <source>variants must be 1 to {}, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>variants must be those of a wireframe or of a voxel design, got {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>verification</source>
         <translation>Nachprüfung</translation>
@@ -4828,9 +5273,29 @@
         <translation>Ecken von Stäben müssen die Form (Stäbe, Ecken, 3) haben, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/variants.py"/>
+        <source>voids without an opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume by the triangles; what overlaps counts twice</source>
         <translation>Volumen aus den Dreiecken; was sich überlappt, zählt doppelt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume of closed voids, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume of layers added to it, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume of loose pieces taken away, mm3</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4838,6 +5303,17 @@
         <translation>Volumen des Quaders um den Körper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume of the channels, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume of the envelope, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
         <translation>Volumen des Netzes und der Voxel, mm3</translation>
@@ -4848,9 +5324,19 @@
         <translation>Volumen der Stäbe, Volumenkörper gegen Netze, mm3</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume of the scaffold, mm3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation>Volumen des Gerüsts, Volumenkörper gegen Netz, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <source>volume, mm³</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4863,6 +5349,8 @@
         <translation>Voxelzahlen {}, hier {} in Schicht {} entlang {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
         <location filename="../../freecad_trabecula/core/voxels/report.py"/>
         <source>voxel design</source>
         <translation>Voxelentwurf</translation>
@@ -5659,6 +6147,11 @@
         <translation>{}, Zeile {}: die Achse muss x, y oder z sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>{}, seen from a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
         <translation>{}: eine binäre STL-Datei hat mindestens {}{} Bytes, hier {}</translation>
@@ -5943,6 +6436,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>, {} left</source>
         <translation>, noch {}</translation>
     </message>
@@ -5990,6 +6484,11 @@
         <location filename="../../freecad_trabecula/gui/couplings_section.py"/>
         <source>Add a coupling</source>
         <translation>Eine Kopplung hinzufügen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Again</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6160,8 +6659,14 @@
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
         <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
         <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Cancelled</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6465,6 +6970,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Envelope and surface</source>
         <translation>Hüllkörper und Oberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Estimate by rays (quick)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
@@ -6943,6 +7453,11 @@
         <translation>Ursprung</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Other seeds: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
         <source>Out of date: click to bring everything up to date.</source>
         <translation>Veraltet: klicken, um alles zu aktualisieren.</translation>
@@ -7110,6 +7625,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Porosity, %</source>
         <translation>Porosität, %</translation>
     </message>
@@ -7319,9 +7835,19 @@
         <translation>Proben</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Save CSV …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Save job</source>
         <translation>Auftrag speichern</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Save variants</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -7339,6 +7865,11 @@
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Scaffold as solid and as mesh, mm³</source>
         <translation>Gerüst als Volumenkörper und als Netz, mm³</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Scaffold of each (exact)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
@@ -7382,6 +7913,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Seed</source>
         <translation>Startwert</translation>
@@ -7637,6 +8169,11 @@
         <translation>Die gewählte Fläche wegnehmen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Take this seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
         <source>Tangents</source>
@@ -7832,6 +8369,11 @@
         <translation>Wert</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>Variants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Voids that no opening reaches</source>
         <translation>Hohlräume ohne Öffnung</translation>
@@ -7932,6 +8474,11 @@
         <translation>Dateien für einen Drucker, ein CAD-System oder eine Tabelle schreiben; vorher wird die Größe gezeigt.</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/report_writing.py"/>
+        <source>Write report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
         <source>Write tables</source>
         <translation>Tabellen schreiben</translation>
@@ -8013,6 +8560,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/recomputing.py"/>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>being computed</source>
         <translation>wird berechnet</translation>
     </message>
@@ -8047,9 +8595,19 @@
         <translation>zuerst ein Gerüst oder ein Netzwerk erzeugen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>by rays, loose pieces left in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>case </source>
         <translation>Fall </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>chance: {:.1f} %</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -8136,6 +8694,11 @@
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>faulty rods are being mended …</source>
         <translation>fehlerhafte Stäbe werden repariert …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>from seed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -8225,6 +8788,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_layers.py"/>
         <source>number of trabeculae</source>
         <translation>Anzahl der Trabekel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>of the scaffold of each</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -8478,6 +9046,11 @@
         <translation>{} ab dem unteren Ende, mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>{} has the seed {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
         <source>{} is installed.</source>
         <translation>{} ist installiert.</translation>
@@ -8535,7 +9108,9 @@
         <translation>{} bis {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/report_writing.py"/>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>{} was written</source>
         <translation>{} wurde geschrieben</translation>
     </message>
@@ -8549,6 +9124,11 @@
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>{}, c = {} mm</source>
         <translation>{}, c = {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>{}: mean {:.2f}, standard deviation {:.2f}, {:.2f} to {:.2f}, of {} variants</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
@@ -9188,6 +9768,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Variants</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Make the design again with 10 other seeds, side by side with their spread. Select a design or voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Other seeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_VoxelExport</name>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
@@ -9250,6 +9843,19 @@
         <location filename="../../freecad_trabecula/gui/voxel_commands.py"/>
         <source>Watch how a layer is filled, step by step. Select a voxel design for its layers, or nothing for own numbers</source>
         <translation>Schritt für Schritt beobachten, wie eine Schicht gefüllt wird. Einen Voxelentwurf für seine Schichten auswählen, oder nichts für eigene Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>Trabecula_WriteReport</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Write all of the document into one HTML page and open it. Needs a scaffold, an analysis or voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>Write report</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
