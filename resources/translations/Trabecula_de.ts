@@ -1414,6 +1414,11 @@
         <translation>Rauschen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
         <source>normal</source>
@@ -1440,6 +1445,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>picked faces</source>
         <translation>gewählten Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>plain</source>
+        <translation>einfarbig</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -1486,6 +1496,11 @@
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>repeat</source>
         <translation>wiederholen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>rods and plates</source>
+        <translation>Stäbe und Platten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -1772,13 +1787,7 @@
         <translation>Stellen {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>Slice analysis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Sliced area (mm2)</source>
         <translation>Schnittfläche (mm2)</translation>
     </message>
@@ -1799,19 +1808,16 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Total number of plates</source>
         <translation>Gesamtzahl der Platten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Total number of rods</source>
         <translation>Gesamtzahl der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Trabecular area range (mm2)</source>
         <translation>Bereich der Trabekelflächen (mm2)</translation>
     </message>
@@ -1819,11 +1825,6 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
         <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>Voxel design</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -2004,17 +2005,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
         <source>a design must have its scaffold to be told of: build it first</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Entwurf muss für den Bericht sein Gerüst haben: zuerst erzeugen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>ein Entwurf muss volle Voxel haben, hier 0</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/report_sections.py"/>
-        <source>a design with its scaffold, an analysis or voxels are needed</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
@@ -2274,7 +2270,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
         <source>a report must have something to tell, got nothing in {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bericht muss etwas zu berichten haben, hier nichts in {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
@@ -2444,7 +2440,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>a spread must be that of at least 1 value, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Streuung braucht mindestens 1 Wert, hier 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -2494,7 +2490,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>a variant must have rods, got none with seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Variante muss Stäbe haben, hier keine mit Startwert {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -2530,11 +2526,6 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
         <translation>die Ausrichtung muss eine von {} sein, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>all held</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -2692,11 +2683,6 @@
         <translation>wie gezogen</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>asked for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
         <translation>Achsen einer Textur müssen drei Einheitsvektoren im rechten Winkel sein, hier {}</translation>
@@ -2715,11 +2701,6 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
         <translation>Körper müssen von {} sein, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>bone fraction BV/TV</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2750,11 +2731,6 @@
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>branches</source>
         <translation>Verzweigungen</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>branches a mm</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2809,7 +2785,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>checks that failed</source>
-        <translation type="unfinished"></translation>
+        <translation>misslungene Prüfungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2818,7 +2794,6 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>closed cavities</source>
         <translation>geschlossene Hohlräume</translation>
@@ -2832,11 +2807,6 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
         <translation>geschlossene Hohlräume sind {} des Hüllkörpers: viele Kanäle haben keinen Ausgang</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>co-ordinate along the axis, mm</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2854,14 +2824,9 @@
         <translation>Koordinaten von Dreiecken müssen endlich sein, hier nan oder unendlich mm</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>components (6-neighbours)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>connected parts</source>
-        <translation type="unfinished"></translation>
+        <translation>zusammenhängende Teile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2874,21 +2839,14 @@
         <translation>Kontakte</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by a corner alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte nur über eine Ecke</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by an edge alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>contours a slice</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte nur über eine Kante</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2899,6 +2857,11 @@
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must lie in the order of their planes, 0..{}</source>
         <translation>Konturen müssen in der Reihenfolge ihrer Ebenen liegen, 0..{}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/entropy_counts.py"/>
+        <source>counting by entropy</source>
+        <translation>Zählung durch Entropie</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
@@ -2957,8 +2920,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
-        <source>designs with these counts (entropy)</source>
-        <translation>Entwürfe mit diesen Anzahlen (Entropie)</translation>
+        <source>designs with these counts</source>
+        <translation>Entwürfe mit diesen Anzahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
@@ -3021,11 +2984,6 @@
         <translation>jede Ecke muss drei Koordinaten haben</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>end sections by size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
@@ -3035,11 +2993,6 @@
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>envelope less rods</source>
         <translation>Hüllkörper minus Stäbe</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>equal layers</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -3054,12 +3007,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>estimate by rays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>estimated area s^2, mm2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzung mit Strahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3138,11 +3086,6 @@
         <translation>Feld</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>final sites 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
         <translation>Doppelte werden gesucht</translation>
@@ -3151,11 +3094,6 @@
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding parts</source>
         <translation>Teile werden gesucht</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>floating voxels</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -3193,16 +3131,6 @@
         <translation>Bilder müssen von der Art {} sein, hier {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>in the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>initial sites 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
         <translation>Inseln</translation>
@@ -3233,11 +3161,6 @@
         <translation>ihre Standardabweichung</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>its volume against the voxels'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
         <source>joining open contours</source>
         <translation>offene Konturen werden verbunden</translation>
@@ -3258,19 +3181,9 @@
         <translation>verbindet die Stellen</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>junctions a mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
         <translation>Verzweigungen je mm</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>largest alpha, beta</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
@@ -3321,11 +3234,6 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>layers</source>
         <translation>Schichten</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>layers N x M x P</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3388,14 +3296,9 @@
         <translation>Suche nach sich kreuzenden Dreiecken</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>loops: ways that part and meet again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>loose pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>lose Teile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3406,21 +3309,6 @@
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
         <translation>m (geschätzt: der Körper wäre {} mm groß)</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>manual design a rod, s (thesis 2.3.3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean bone fraction, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean deviation</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -3445,17 +3333,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>mean overlap, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean sliced area, mm2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean thickness of the sample (2 BV/BS), voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere Überlappung, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3615,11 +3493,6 @@
         <translation>Anzahl der Teile</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>numbers by two routes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
         <translation>Trabekelzahlen entlang {} brauchen eine Probe oder Zielwerte, die sie enthalten; hier keines</translation>
@@ -3675,11 +3548,6 @@
         <translation>äußere Konturen</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>outer contours a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
         <translation>Umrisse der Schichten</translation>
@@ -3697,12 +3565,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>overlap with seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappung mit Startwert {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3732,7 +3600,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>picture of seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild zu Startwert {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3750,50 +3618,14 @@
         <translation>Teile leerer Voxel, 6 Nachbarn, die keine Quaderfläche berühren</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: closed voids</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: closed_voids</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: loose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>plain sum of the rods, %</source>
-        <translation type="unfinished"></translation>
+        <translation>einfache Summe der Stäbe, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
         <translation>Ebenen müssen aufsteigen, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>plates, by that rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>plates, voids among them</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3838,17 +3670,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>porosities must be found by one of {}, {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Porositäten werden durch eines von {}, {} gefunden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
         <translation>Porosität entlang {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>porosity range, %</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -3861,15 +3688,9 @@
         <translation>Porosität {} %, {} Stäbe ausgeschnitten; Volumenkörper und Netz unterscheiden sich um {} %</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>porosity, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>porosity, % (Eq. 2.2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3905,7 +3726,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
         <source>rays</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -3966,7 +3787,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
         <source>rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
@@ -3976,7 +3797,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>rods left out</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassene Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
@@ -3986,17 +3807,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>rods mended</source>
-        <translation type="unfinished"></translation>
+        <translation>reparierte Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
         <translation>Stäbe müssen geschlossene Netze sein: jeder Strahl muss so oft austreten wie eintreten, {} tun es nicht</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>rods, by the rule that turning does not change</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -4052,7 +3868,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>seeds must lie in 0..{}, got {} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwerte müssen in 0..{} liegen, hier {} bis {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4063,11 +3879,6 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
         <translation>Anteil voller Voxel: der zweite Weg</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>share of the largest</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4098,37 +3909,9 @@
         <translation>Stellen auf {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>size, mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>slice analysis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>slice comparison</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>sliced area</source>
         <translation>Schnittfläche</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>sliced area, mm2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>sliced area, mm²</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -4144,11 +3927,6 @@
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
         <translation>Schnitte entlang {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>smallest possible caps on alpha, beta</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4181,11 +3959,6 @@
         <translation>Volumenkörper aus Flicken</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation>Volumenkörper: Stab {}{} von {}</translation>
@@ -4211,19 +3984,9 @@
         <translation>spezifische Knochenoberfläche aus Voxeln</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>spoilt slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>standard error, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>sum of area x thickness, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardfehler, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4576,6 +4339,16 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>the job file {} cannot be read: {}</source>
+        <translation>die Auftragsdatei {} kann nicht gelesen werden: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>the job file {} must be a text in UTF-8: {}</source>
+        <translation>die Auftragsdatei {} muss Text in UTF-8 sein: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
         <source>the job's schema must be {}, got {}</source>
         <translation>das Schema des Auftrags muss {} sein, hier {}</translation>
     </message>
@@ -4759,11 +4532,6 @@
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
         <translation>die Glättungsdurchgänge müssen 0 oder mehr sein, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>the same, net of holes, mm2</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5062,34 +4830,9 @@
         <translation>durch einen zufälligen Punkt eines Quaders um ihn (Gl. 3.1)</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>time of all, s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>time of the network a rod, s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>time of the network, s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
         <translation>für {} der Stelle {} wird ein Punkt gebraucht, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>total number of plates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>total number of rods</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5102,14 +4845,9 @@
         <translation>Trabekel</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>trabeculae (mean)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>trabeculae a layer along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Trabekel je Schicht entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -5125,11 +4863,6 @@
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>trabecular area</source>
         <translation>Trabekelfläche</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>trabecular area range, mm2</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5187,16 +4920,6 @@
         <translation>Dreiecke des Körpers</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>triangles of the mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>true area, mm2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation>wahr oder falsch</translation>
@@ -5227,10 +4950,9 @@
         <translation>Vereinigung der Stäbe</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>union of the rods, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinigung der Stäbe, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
@@ -5255,12 +4977,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>variants must be 1 to {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten müssen 1 bis {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>variants must be those of a wireframe or of a voxel design, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten müssen die eines Drahtmodells oder Voxelentwurfs sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5275,7 +4997,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>voids without an opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Hohlräume ohne Öffnung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5283,37 +5005,11 @@
         <translation>Volumen aus den Dreiecken; was sich überlappt, zählt doppelt</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of closed voids, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of layers added to it, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of loose pieces taken away, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
         <translation>Volumen des Quaders um den Körper</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of the channels, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of the envelope, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
         <translation>Volumen des Netzes und der Voxel, mm3</translation>
@@ -5324,19 +5020,9 @@
         <translation>Volumen der Stäbe, Volumenkörper gegen Netze, mm3</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of the scaffold, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation>Volumen des Gerüsts, Volumenkörper gegen Netz, mm3</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume, mm³</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5349,8 +5035,6 @@
         <translation>Voxelzahlen {}, hier {} in Schicht {} entlang {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
         <location filename="../../freecad_trabecula/core/voxels/report.py"/>
         <source>voxel design</source>
         <translation>Voxelentwurf</translation>
@@ -6147,11 +5831,6 @@
         <translation>{}, Zeile {}: die Achse muss x, y oder z sein, hier {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>{}, seen from a corner</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
         <translation>{}: eine binäre STL-Datei hat mindestens {}{} Bytes, hier {}</translation>
@@ -6420,11 +6099,6 @@
         <translation>  Größe</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
-        <source>, about {} left</source>
-        <translation>, noch etwa {}</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>, layers on {} faces</source>
         <translation>, Schichten auf {} Flächen</translation>
@@ -6435,7 +6109,6 @@
         <translation>, Porosität {:.2f} %</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>, {} left</source>
         <translation>, noch {}</translation>
@@ -6476,6 +6149,11 @@
         <translation>Ein Paket fehlt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Across the direction in which you look now</source>
+        <translation>Quer zur jetzigen Blickrichtung</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/paths_section.py"/>
         <source>Add a convergence point</source>
         <translation>Einen Konvergenzpunkt hinzufügen</translation>
@@ -6488,7 +6166,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6546,6 +6224,11 @@
         <location filename="../../freecad_trabecula/gui/doors.py"/>
         <source>As many voxels in every layer along X, Y and Z as the targets ask, in one piece.</source>
         <translation>So viele Voxel in jeder Schicht entlang X, Y und Z, wie die Zielwerte verlangen, zusammenhängend.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>As seen</source>
+        <translation>Wie gesehen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6666,7 +6349,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6865,6 +6548,11 @@
         <translation>Kopplungen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Cut</source>
+        <translation>Anschnitt</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>Deflection</source>
         <translation>Abweichung</translation>
@@ -6974,7 +6662,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Estimate by rays (quick)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzung mit Strahlen (schnell)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
@@ -7152,6 +6840,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>How sites are set</source>
         <translation>Wie Stellen gesetzt werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>How the cut is filled</source>
+        <translation>Wie der Anschnitt gefüllt wird</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
@@ -7455,7 +7148,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Other seeds: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Startwerte: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
@@ -7837,7 +7535,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Save CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV speichern …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7847,7 +7545,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Save variants</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten speichern</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -7869,7 +7567,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Scaffold of each (exact)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerüst von jedem (genau)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
@@ -7907,6 +7605,16 @@
         <translation>Spannung 2. Ende</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Section</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
         <source>Sections</source>
         <translation>Querschnitte</translation>
@@ -7917,6 +7625,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Seed</source>
         <translation>Startwert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
@@ -7942,6 +7655,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sheets 0 … rods 1</source>
         <translation>Lamelle 0, Stab 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>Show</source>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
@@ -8171,7 +7889,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Take this seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Startwert nehmen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -8371,7 +8089,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Variants</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -8459,6 +8177,11 @@
         <translation>Wie das Gerüst werden soll: eine Datei oder ein Netz des Dokuments.</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Where the plane is, mm</source>
+        <translation>Wo die Ebene liegt, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Whole</source>
         <translation>Gesamt</translation>
@@ -8476,7 +8199,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/report_writing.py"/>
         <source>Write report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht schreiben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -8597,7 +8320,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>by rays, loose pieces left in</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Strahlen, lose Teile mitgezählt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -8607,7 +8330,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>chance: {:.1f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Zufall: {:.1f} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -8698,7 +8421,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>from seed</source>
-        <translation type="unfinished"></translation>
+        <translation>ab Startwert</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -8792,7 +8515,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>of the scaffold of each</source>
-        <translation type="unfinished"></translation>
+        <translation>des Gerüsts von jedem</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -8951,6 +8674,11 @@
         <translation>es gibt noch keine Analyse</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>there is no design of rods or voxels yet</source>
+        <translation>es gibt noch keinen Entwurf von Stäben oder Voxeln</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no design of rods yet</source>
         <translation>es gibt noch keinen Stabentwurf</translation>
@@ -9041,6 +8769,11 @@
         <translation>Verfahren {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>{} failed</source>
+        <translation>{} ist misslungen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>{} from the low end, mm</source>
         <translation>{} ab dem unteren Ende, mm</translation>
@@ -9048,7 +8781,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>{} has the seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} hat den Startwert {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>{} has too many triangles to be filled</source>
+        <translation>{} hat zu viele Dreiecke, um gefüllt zu werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>{} is done</source>
+        <translation>{} ist fertig</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
@@ -9121,6 +8864,26 @@
         <translation>{} wurde geschrieben: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, a few seconds left</source>
+        <translation>{}, noch einige Sekunden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, about {} h {} min left</source>
+        <translation>{}, noch etwa {} h {} min</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, about {} min left</source>
+        <translation>{}, noch etwa {} min</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, about {} s left</source>
+        <translation>{}, noch etwa {} s</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>{}, c = {} mm</source>
         <translation>{}, c = {} mm</translation>
@@ -9128,7 +8891,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>{}: mean {:.2f}, standard deviation {:.2f}, {:.2f} to {:.2f}, of {} variants</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Mittel {:.2f}, Standardabweichung {:.2f}, {:.2f} bis {:.2f}, von {} Varianten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
@@ -9729,6 +9492,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Section</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Cut the 3D view open along X, Y, Z or as you look at it. Needs a document; the document does not change</source>
+        <translation>Die 3D-Ansicht entlang X, Y, Z oder in Blickrichtung aufschneiden. Braucht ein Dokument; es ändert sich nicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_Sights</name>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
@@ -9772,12 +9548,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Make the design again with 10 other seeds, side by side with their spread. Select a design or voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Entwurf mit 10 anderen Startwerten wiederholen, nebeneinander mit ihrer Streuung. Einen Entwurf oder Voxel auswählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Other seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Startwerte</translation>
     </message>
 </context>
 <context>
@@ -9850,12 +9626,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Write all of the document into one HTML page and open it. Needs a scaffold, an analysis or voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles im Dokument in eine HTML-Seite schreiben und sie öffnen. Braucht ein Gerüst, eine Analyse oder Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Write report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht schreiben</translation>
     </message>
 </context>
 <context>

@@ -1414,6 +1414,11 @@
         <translation>rumore</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
         <source>normal</source>
@@ -1440,6 +1445,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>picked faces</source>
         <translation>facce scelte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>plain</source>
+        <translation>semplice</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -1486,6 +1496,11 @@
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>repeat</source>
         <translation>ripetizione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>rods and plates</source>
+        <translation>aste e piastre</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -1772,13 +1787,7 @@
         <translation>Siti {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>Slice analysis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Sliced area (mm2)</source>
         <translation>Area sezionata (mm2)</translation>
     </message>
@@ -1799,19 +1808,16 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Total number of plates</source>
         <translation>Numero totale di piastre</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Total number of rods</source>
         <translation>Numero totale di aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <source>Trabecular area range (mm2)</source>
         <translation>Intervallo delle aree trabecolari (mm2)</translation>
     </message>
@@ -1819,11 +1825,6 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</source>
         <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>Voxel design</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -2004,17 +2005,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
         <source>a design must have its scaffold to be told of: build it first</source>
-        <translation type="unfinished"></translation>
+        <translation>un progetto deve avere il suo scaffold per la relazione: costruirlo prima</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>un progetto deve avere voxel pieni, qui 0</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/features/report_sections.py"/>
-        <source>a design with its scaffold, an analysis or voxels are needed</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
@@ -2274,7 +2270,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
         <source>a report must have something to tell, got nothing in {}: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una relazione deve avere qualcosa da dire, qui nulla in {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/spline_solids.py"/>
@@ -2444,7 +2440,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>a spread must be that of at least 1 value, got 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una dispersione deve essere di almeno 1 valore, qui 0</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
@@ -2494,7 +2490,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>a variant must have rods, got none with seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>una variante deve avere aste, qui nessuna col seme {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
@@ -2530,11 +2526,6 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
         <translation>l'allineamento deve essere uno di {}, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>all held</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -2692,11 +2683,6 @@
         <translation>come estratta</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>asked for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
         <translation>gli assi di una tessitura devono essere tre versori ortogonali, qui {}</translation>
@@ -2715,11 +2701,6 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
         <translation>i corpi devono essere di {}, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>bone fraction BV/TV</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2750,11 +2731,6 @@
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>branches</source>
         <translation>rami</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>branches a mm</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2809,7 +2785,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>checks that failed</source>
-        <translation type="unfinished"></translation>
+        <translation>controlli falliti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -2818,7 +2794,6 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>closed cavities</source>
         <translation>cavità chiuse</translation>
@@ -2832,11 +2807,6 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
         <translation>i vuoti chiusi sono {} dell'involucro: molti canali non hanno uscita</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>co-ordinate along the axis, mm</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2854,14 +2824,9 @@
         <translation>le coordinate dei triangoli devono essere finite, qui nan o infinito mm</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>components (6-neighbours)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>connected parts</source>
-        <translation type="unfinished"></translation>
+        <translation>parti connesse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2874,21 +2839,14 @@
         <translation>contatti</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by a corner alone</source>
-        <translation type="unfinished"></translation>
+        <translation>contatti per solo vertice</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by an edge alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>contours a slice</source>
-        <translation type="unfinished"></translation>
+        <translation>contatti per solo spigolo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2899,6 +2857,11 @@
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
         <source>contours must lie in the order of their planes, 0..{}</source>
         <translation>i contorni devono stare nell'ordine dei loro piani, 0..{}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/entropy_counts.py"/>
+        <source>counting by entropy</source>
+        <translation>conteggio per entropia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
@@ -2957,8 +2920,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
-        <source>designs with these counts (entropy)</source>
-        <translation>progetti con questi conteggi (entropia)</translation>
+        <source>designs with these counts</source>
+        <translation>progetti con questi conteggi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
@@ -3021,11 +2984,6 @@
         <translation>ogni vertice deve avere tre coordinate</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>end sections by size</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
@@ -3035,11 +2993,6 @@
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>envelope less rods</source>
         <translation>involucro meno aste</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>equal layers</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -3054,12 +3007,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>estimate by rays</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>estimated area s^2, mm2</source>
-        <translation type="unfinished"></translation>
+        <translation>stima per raggi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3138,11 +3086,6 @@
         <translation>campo</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>final sites 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
         <translation>ricerca dei doppioni</translation>
@@ -3151,11 +3094,6 @@
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding parts</source>
         <translation>ricerca delle parti</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>floating voxels</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -3193,16 +3131,6 @@
         <translation>le immagini devono essere del tipo {}, qui {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>in the middle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>initial sites 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
         <translation>isole</translation>
@@ -3233,11 +3161,6 @@
         <translation>la sua deviazione standard</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>its volume against the voxels'</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
         <source>joining open contours</source>
         <translation>unione dei contorni aperti</translation>
@@ -3258,19 +3181,9 @@
         <translation>unisce i siti</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>junctions a mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
         <translation>giunzioni per mm</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>largest alpha, beta</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
@@ -3321,11 +3234,6 @@
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <source>layers</source>
         <translation>strati</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>layers N x M x P</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3388,14 +3296,9 @@
         <translation>ricerca di triangoli che si incrociano</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>loops: ways that part and meet again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>loose pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>pezzi staccati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3406,21 +3309,6 @@
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
         <translation>m (stimato: il corpo sarebbe di {} mm)</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>manual design a rod, s (thesis 2.3.3)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean bone fraction, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean deviation</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -3445,17 +3333,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>mean overlap, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean sliced area, mm2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>mean thickness of the sample (2 BV/BS), voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>sovrapposizione media, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3615,11 +3493,6 @@
         <translation>numero di parti</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>numbers by two routes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
         <translation>i numeri di trabecole lungo {} richiedono un campione, o obiettivi che li contengano; qui nessuno dei due</translation>
@@ -3675,11 +3548,6 @@
         <translation>contorni esterni</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>outer contours a slice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
         <translation>contorni degli strati</translation>
@@ -3697,12 +3565,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>overlap with seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>sovrapposizione col seme {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>sovrapposizioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3732,7 +3600,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>picture of seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>immagine del seme {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3750,50 +3618,14 @@
         <translation>pezzi di voxel vuoti, 6 vicini, che non toccano facce del parallelepipedo</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: channels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: closed voids</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: closed_voids</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: loose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>pieces: scaffold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>plain sum of the rods, %</source>
-        <translation type="unfinished"></translation>
+        <translation>somma semplice delle aste, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
         <translation>i piani devono crescere, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>plates, by that rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>plates, voids among them</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3838,17 +3670,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>porosities must be found by one of {}, {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le porosità si trovano per uno di {}, {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
         <translation>porosità lungo {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>porosity range, %</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -3861,15 +3688,9 @@
         <translation>porosità {} %, {} aste tagliate; solido e mesh differiscono del {} %</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>porosity, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>porosity, % (Eq. 2.2)</source>
-        <translation type="unfinished"></translation>
+        <translation>porosità, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3905,7 +3726,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
         <source>rays</source>
-        <translation type="unfinished"></translation>
+        <translation>raggi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -3966,7 +3787,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
         <source>rods</source>
-        <translation type="unfinished"></translation>
+        <translation>aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
@@ -3976,7 +3797,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>rods left out</source>
-        <translation type="unfinished"></translation>
+        <translation>aste escluse</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
@@ -3986,17 +3807,12 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>rods mended</source>
-        <translation type="unfinished"></translation>
+        <translation>aste riparate</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>rods must be closed meshes: each ray must leave as often as it enters, {} do not</source>
         <translation>le aste devono essere mesh chiuse: ogni raggio deve uscire quante volte entra, {} non lo fanno</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>rods, by the rule that turning does not change</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -4052,7 +3868,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>seeds must lie in 0..{}, got {} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>i semi devono stare in 0..{}, qui da {} a {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4063,11 +3879,6 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
         <translation>quota di voxel pieni: la seconda via</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>share of the largest</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4098,37 +3909,9 @@
         <translation>siti su {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>size, mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>slice analysis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
-        <source>slice comparison</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>sliced area</source>
         <translation>area sezionata</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>sliced area, mm2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>sliced area, mm²</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -4144,11 +3927,6 @@
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
         <translation>sezionamento lungo {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>smallest possible caps on alpha, beta</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -4181,11 +3959,6 @@
         <translation>solido di toppe</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>solid voxels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation>solido: asta {}{} di {}</translation>
@@ -4211,19 +3984,9 @@
         <translation>superficie ossea specifica, per voxel</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>spoilt slices</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>standard error, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>sum of area x thickness, mm3</source>
-        <translation type="unfinished"></translation>
+        <translation>errore standard, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
@@ -4576,6 +4339,16 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>the job file {} cannot be read: {}</source>
+        <translation>il file di lavoro {} non si può leggere: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>the job file {} must be a text in UTF-8: {}</source>
+        <translation>il file di lavoro {} deve essere un testo in UTF-8: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
         <source>the job's schema must be {}, got {}</source>
         <translation>lo schema del lavoro deve essere {}, qui {}</translation>
     </message>
@@ -4759,11 +4532,6 @@
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
         <translation>le passate di lisciatura devono essere 0 o più, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>the same, net of holes, mm2</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5062,34 +4830,9 @@
         <translation>per un punto casuale di un parallelepipedo attorno ad esso (Eq. 3.1)</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>time of all, s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>time of the network a rod, s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>time of the network, s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
         <translation>per {} il sito {} serve un punto, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>total number of plates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>total number of rods</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5102,14 +4845,9 @@
         <translation>trabecole</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>trabeculae (mean)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>trabeculae a layer along {}</source>
-        <translation type="unfinished"></translation>
+        <translation>trabecole per strato lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
@@ -5125,11 +4863,6 @@
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>trabecular area</source>
         <translation>area trabecolare</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>trabecular area range, mm2</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5187,16 +4920,6 @@
         <translation>triangoli del corpo</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>triangles of the mesh</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>true area, mm2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation>vero o falso</translation>
@@ -5227,10 +4950,9 @@
         <translation>unione delle aste</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>union of the rods, %</source>
-        <translation type="unfinished"></translation>
+        <translation>unione delle aste, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
@@ -5255,12 +4977,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>variants must be 1 to {}, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le varianti devono essere da 1 a {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>variants must be those of a wireframe or of a voxel design, got {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le varianti devono essere di un telaio o di un progetto a voxel, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5275,7 +4997,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>voids without an opening</source>
-        <translation type="unfinished"></translation>
+        <translation>vuoti senza apertura</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5283,37 +5005,11 @@
         <translation>volume dai triangoli; ciò che si sovrappone conta due volte</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of closed voids, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of layers added to it, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of loose pieces taken away, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
         <translation>volume del parallelepipedo del corpo</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of the channels, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of the envelope, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
         <translation>volume della mesh e dei voxel, mm3</translation>
@@ -5324,19 +5020,9 @@
         <translation>volume delle aste, solidi contro mesh, mm3</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume of the scaffold, mm3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation>volume dello scaffold, solido contro mesh, mm3</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <source>volume, mm³</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5349,8 +5035,6 @@
         <translation>i conteggi di voxel {}, qui {} nello strato {} lungo {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/explanations/report_rows.py"/>
-        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
         <location filename="../../freecad_trabecula/core/voxels/report.py"/>
         <source>voxel design</source>
         <translation>progetto a voxel</translation>
@@ -6147,11 +5831,6 @@
         <translation>{}, riga {}: l'asse deve essere x, y o z, qui {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
-        <source>{}, seen from a corner</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <source>{}: a binary STL file has at least {}{} bytes, got {}</source>
         <translation>{}: un file STL binario ha almeno {}{} byte, qui {}</translation>
@@ -6420,11 +6099,6 @@
         <translation>  dimensione</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
-        <source>, about {} left</source>
-        <translation>, ancora circa {}</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>, layers on {} faces</source>
         <translation>, strati su {} facce</translation>
@@ -6435,7 +6109,6 @@
         <translation>, porosità {:.2f} %</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/recomputing.py"/>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>, {} left</source>
         <translation>, ancora {}</translation>
@@ -6476,6 +6149,11 @@
         <translation>Manca un pacchetto</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Across the direction in which you look now</source>
+        <translation>Trasversale alla direzione in cui si guarda ora</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/paths_section.py"/>
         <source>Add a convergence point</source>
         <translation>Aggiungere un punto di convergenza</translation>
@@ -6488,7 +6166,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Di nuovo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6546,6 +6224,11 @@
         <location filename="../../freecad_trabecula/gui/doors.py"/>
         <source>As many voxels in every layer along X, Y and Z as the targets ask, in one piece.</source>
         <translation>In ogni strato lungo X, Y e Z tanti voxel quanti ne chiedono gli obiettivi, in un solo pezzo.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>As seen</source>
+        <translation>Come visto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -6666,7 +6349,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Annullato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
@@ -6865,6 +6548,11 @@
         <translation>Accoppiamenti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Cut</source>
+        <translation>Taglio</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/scaffold_section.py"/>
         <source>Deflection</source>
         <translation>Scostamento</translation>
@@ -6974,7 +6662,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Estimate by rays (quick)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stima per raggi (rapida)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
@@ -7152,6 +6840,11 @@
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
         <source>How sites are set</source>
         <translation>Come si dispongono i siti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>How the cut is filled</source>
+        <translation>Come si riempie il taglio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
@@ -7455,7 +7148,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Other seeds: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Altri semi: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Other side</source>
+        <translation>Altro lato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/guide_dock.py"/>
@@ -7837,7 +7535,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Save CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva CSV …</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
@@ -7847,7 +7545,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Save variants</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva varianti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_dock.py"/>
@@ -7869,7 +7567,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Scaffold of each (exact)</source>
-        <translation type="unfinished"></translation>
+        <translation>Scaffold di ognuno (esatto)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/build_bar.py"/>
@@ -7907,6 +7605,16 @@
         <translation>Tensione fine</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Section</source>
+        <translation>Taglio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Section plane</source>
+        <translation>Piano di taglio</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
         <source>Sections</source>
         <translation>Sezioni</translation>
@@ -7917,6 +7625,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Seed</source>
         <translation>Seme</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>Seen</source>
+        <translation>Visto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
@@ -7942,6 +7655,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
         <source>Sheets 0 … rods 1</source>
         <translation>Lamina 0, asta 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>Show</source>
+        <translation>Mostra</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
@@ -8171,7 +7889,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Take this seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Prendi questo seme</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/pores_section.py"/>
@@ -8371,7 +8089,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>Variants</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
@@ -8459,6 +8177,11 @@
         <translation>Come deve essere lo scaffold: un file, o una mesh del documento.</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>Where the plane is, mm</source>
+        <translation>Dove sta il piano, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>Whole</source>
         <translation>Totale</translation>
@@ -8476,7 +8199,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/report_writing.py"/>
         <source>Write report</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivi relazione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
@@ -8597,7 +8320,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>by rays, loose pieces left in</source>
-        <translation type="unfinished"></translation>
+        <translation>per raggi, pezzi staccati inclusi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -8607,7 +8330,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>chance: {:.1f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>caso: {:.1f} %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -8698,7 +8421,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>from seed</source>
-        <translation type="unfinished"></translation>
+        <translation>dal seme</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
@@ -8792,7 +8515,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>of the scaffold of each</source>
-        <translation type="unfinished"></translation>
+        <translation>dello scaffold di ognuno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -8951,6 +8674,11 @@
         <translation>non c'è ancora un'analisi</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/study_commands.py"/>
+        <source>there is no design of rods or voxels yet</source>
+        <translation>non c'è ancora un progetto di aste o voxel</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/command.py"/>
         <source>there is no design of rods yet</source>
         <translation>non c'è ancora un progetto di aste</translation>
@@ -9041,6 +8769,11 @@
         <translation>motore {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>{} failed</source>
+        <translation>{} è fallito</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>{} from the low end, mm</source>
         <translation>{} dall'estremo inferiore, mm</translation>
@@ -9048,7 +8781,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>{} has the seed {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ha il seme {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/section_dock.py"/>
+        <source>{} has too many triangles to be filled</source>
+        <translation>{} ha troppi triangoli per essere riempito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/notice.py"/>
+        <source>{} is done</source>
+        <translation>{} è finito</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
@@ -9121,6 +8864,26 @@
         <translation>{} è stato scritto: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, a few seconds left</source>
+        <translation>{}, ancora qualche secondo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, about {} h {} min left</source>
+        <translation>{}, ancora circa {} h {} min</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, about {} min left</source>
+        <translation>{}, ancora circa {} min</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>{}, about {} s left</source>
+        <translation>{}, ancora circa {} s</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/faces_section.py"/>
         <source>{}, c = {} mm</source>
         <translation>{}, c = {} mm</translation>
@@ -9128,7 +8891,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>{}: mean {:.2f}, standard deviation {:.2f}, {:.2f} to {:.2f}, of {} variants</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: media {:.2f}, deviazione standard {:.2f}, da {:.2f} a {:.2f}, di {} varianti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
@@ -9729,6 +9492,19 @@
     </message>
 </context>
 <context>
+    <name>Trabecula_Section</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Cut the 3D view open along X, Y, Z or as you look at it. Needs a document; the document does not change</source>
+        <translation>Aprire la vista 3D con un taglio lungo X, Y, Z o come si guarda. Serve un documento; il documento non cambia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
+        <source>Section plane</source>
+        <translation>Piano di taglio</translation>
+    </message>
+</context>
+<context>
     <name>Trabecula_Sights</name>
     <message>
         <location filename="../../freecad_trabecula/gui/seeing_commands.py"/>
@@ -9772,12 +9548,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Make the design again with 10 other seeds, side by side with their spread. Select a design or voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Rifare il progetto con altri 10 semi, affiancati con la loro dispersione. Selezionare un progetto o voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Other seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Altri semi</translation>
     </message>
 </context>
 <context>
@@ -9850,12 +9626,12 @@
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Write all of the document into one HTML page and open it. Needs a scaffold, an analysis or voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivere tutto il documento in una pagina HTML e aprirla. Serve uno scaffold, un'analisi o voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/study_commands.py"/>
         <source>Write report</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivi relazione</translation>
     </message>
 </context>
 <context>
