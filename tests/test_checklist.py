@@ -16,7 +16,8 @@ def rows(text):
 def missing_proofs(text, root=ROOT):
     """Return the files, tests and commands that a text names in code and that are not there."""
     missing = []
-    targets = set(re.findall(r"^([\w-]+):", (root / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    rules = re.findall(r"^([\w -]+):", (root / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+    targets = {name for names in rules for name in names.split()}
     for words in re.findall(r"`([^`]+)`", text):
         name, _, test = words.partition("::")
         if name.startswith("make "):

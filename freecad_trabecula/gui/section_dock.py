@@ -20,7 +20,7 @@ from .colouring import show_also
 from .fields import ChoiceField, NumberField
 from .legend import Titled
 from .looks import LOOKS, look_of
-from .qt import icon, invoke_later
+from .qt import help_buttons, icon, invoke_later
 from .section import FILLS, Body, Section
 from .transactions import say
 
@@ -74,6 +74,7 @@ class SectionDock(QtGui.QDockWidget):
         row.addWidget(QtGui.QLabel(translate("Trabecula", "Cut")))
         self.fill = ChoiceField(FILLS, self.show_section, translate("Trabecula", "How the cut is filled"))
         row.addWidget(self.fill.widget)
+        row.addWidget(help_buttons("commands/Section.md"))
         return page
 
     # ----------------------------------------------------------------------------------------------------- what it does
