@@ -13,6 +13,7 @@ from ..features.relations import roles_of, type_of
 from ..features.stateless import Stateless
 from . import colouring
 from .looks import ANGLE, DARK, DEVIATION, PLAIN, look_of
+from .merged_blocks import MODE, MergedBlocks, choose_mode
 from .qt import icon_path, invoke_later
 from .thumbnail import add_pictures_to_files
 
@@ -74,6 +75,7 @@ class ViewProvider(Stateless):
         self.Object = view.Object
         if type_of(view.Object) == "Trabecula::VoxelDesign":
             view.RootNode.insertChild(_side_light(), 0)
+            self.blocks = MergedBlocks(view)
         colouring.add_property(view)
 
     def isShow(self) -> bool:
@@ -95,13 +97,23 @@ class ViewProvider(Stateless):
             obj.ViewObject.Visibility = look_of(obj).visible
         elif name == "ResultKey" and colouring.is_coloured(obj):
             colouring.refresh(obj)
+        if name == "Mesh" and hasattr(self, "blocks"):
+            choose_mode(obj, colouring.is_coloured(obj))
 
     def onChanged(self, view: Any, name: str) -> None:
         """Follow the property that says what the colours mean, and what is seen."""
         if name == colouring.PROPERTY:
+            if hasattr(self, "blocks"):
+                choose_mode(view.Object, colouring.is_coloured(view.Object))
             colouring.refresh(view.Object)
+        elif name in ("ShapeColor", "ShapeAppearance", "Transparency") and hasattr(self, "blocks"):
+            self.blocks.paint(view)
         elif name == "Visibility":
             colouring.show_legends(view.Object.Document.Name)
+
+    def getDisplayModes(self, view: Any) -> List[str]:
+        """Return the display modes of our own."""
+        return [MODE] if hasattr(self, "blocks") else []
 
     def claimChildren(self) -> List[Any]:
         """Return what stands below in the tree: envelope and sites below a wireframe, its parts below a scaffold."""

@@ -16,6 +16,7 @@ from freecad_trabecula import make
 from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.stl import read_stl
 from freecad_trabecula.core.streams import Stream
+from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names
 from freecad_trabecula.errors import ExportError, ParameterError
@@ -24,6 +25,7 @@ from freecad_trabecula.features.relations import type_of
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.layer_dialog import LayerDialog, make_shapes
+from freecad_trabecula.gui.merged_blocks import MODE
 from freecad_trabecula.gui.preferences import preferred_colour
 from freecad_trabecula.gui.voxel_dock import KIND, show_layers, voxel_dock
 from freecad_trabecula.gui.voxel_export import VoxelExportDialog, write_images, write_voxels
@@ -200,6 +202,62 @@ class LookTest(VoxelCase):
                 if colour.lightness() < 250:
                     counts[colour.lightness() // 4] = counts.get(colour.lightness() // 4, 0) + 1
         self.assertGreaterEqual(sum(count > 1000 for count in counts.values()), 3)
+
+
+class MergedBlocksTest(VoxelCase):
+    def design(self, surface="blocks"):
+        """About 37,000 voxels at random, whose faces are more than are drawn at once while the camera moves."""
+        thirds = ((0.5, 0.3),)
+        chosen = VoxelParameters(size=(0.1, 0.1, 0.1), strategy="random-layers")
+        curves = DrawnCurves((5.0, 5.0, 5.0), thirds, thirds, thirds)
+        obj = make.make_voxel_design(self.document, curves, chosen, surface=surface)
+        view = FreeCADGui.activeDocument().activeView()
+        view.viewIsometric()
+        view.fitAll()
+        settle(1.0)
+        return obj, view
+
+    def test_many_blocks_are_drawn_merged_and_coarser_while_the_camera_moves(self):
+        obj, view = self.design()
+        self.assertEqual(obj.ViewObject.DisplayMode, MODE)
+        blocks = obj.ViewObject.Proxy.blocks
+        self.assertTrue(wait(lambda: blocks.fine.getNumChildren() == 6, 20))
+        self.assertTrue(wait(lambda: blocks.switch.whichChild.getValue() == 0, 10))
+        view.viewFront()
+        view.redraw()
+        self.assertTrue(wait(lambda: blocks.switch.whichChild.getValue() == 1, 10))
+        self.assertTrue(wait(lambda: blocks.switch.whichChild.getValue() == 0, 10))
+        counts = [sum(len(one.numVertices) for one in _shapes_of(part)) for part in (blocks.coarse, blocks.fine)]
+        self.assertLess(counts[0], 30_001)
+        self.assertGreater(counts[1], counts[0])
+        self.assertLess(2 * counts[1], obj.Mesh.CountFacets)
+
+    def test_merged_blocks_look_like_their_mesh(self):
+        obj, view = self.design()
+        images = {}
+        with tempfile.TemporaryDirectory() as folder:
+            for mode in (MODE, "Shaded"):
+                obj.ViewObject.DisplayMode = mode
+                settle(1.0)
+                path = os.path.join(folder, "view.png")
+                view.saveImage(path, 120, 120, "White")
+                image = QtGui.QImage(path)
+                images[mode] = np.array(
+                    [[QtGui.QColor(image.pixel(x, y)).lightness() for x in range(120)] for y in range(120)], float
+                )
+        difference = np.abs(images[MODE] - images["Shaded"])
+        self.assertGreater(images["Shaded"].std(), 10)
+        self.assertLess(difference.mean(), 6)
+
+    def test_a_smooth_surface_and_few_blocks_stay_as_they_are(self):
+        obj, _ = self.design("smooth")
+        self.assertEqual(obj.ViewObject.DisplayMode, "Shaded")
+        few = make.make_voxel_design(self.document, self.bracket(), HALF)
+        self.assertEqual(few.ViewObject.DisplayMode, "Shaded")
+
+
+def _shapes_of(node):
+    return [node.getChild(k) for k in range(node.getNumChildren())]
 
 
 class DockTest(VoxelCase):

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Blocks of a voxel design in the 3D view: coplanar faces merged, and coarser blocks while the camera moves."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Tuple
+
+import numpy as np
+from pivy import coin
+from PySide import QtCore
+
+from .. import make
+from ..core.voxels.design import VoxelDesign
+from ..core.voxels.merged_faces import Rectangles, coarse_faces, merged_faces
+from ..errors import TrabeculaError
+
+MODE, PLAIN = "Merged blocks", "Shaded"
+LEAST_FACETS = 100_000  # of a mesh; smaller ones are drawn fast as they are
+_MOVING = 30_000  # rectangles at most while the camera moves: software draws them 20 times a second
+_REST = 350  # milliseconds after which a camera is taken to stand still
+_NORMALS = ((-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1), (0, 0, 1))
+
+
+class MergedBlocks:
+    """The node of a display mode; filled when it is seen for the first time.
+
+    Parameters
+    ----------
+    view : view provider of a voxel design
+    """
+
+    def __init__(self, view: Any) -> None:
+        self._object, self._key = view.Object, ""
+        self._cameras: Dict[Tuple[int, ...], Tuple[Any, ...]] = {}
+        self.node, self.switch, self.material = coin.SoSeparator(), coin.SoSwitch(), coin.SoMaterial()
+        self.fine, self.coarse = coin.SoSeparator(), coin.SoSeparator()
+        self._watch = coin.SoCallback()
+        self._watch.setCallback(self._drawn, None)
+        hints, unseen, unpickable = coin.SoShapeHints(), coin.SoDrawStyle(), coin.SoPickStyle()
+        hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID
+        unseen.style, unpickable.style = coin.SoDrawStyle.INVISIBLE, coin.SoPickStyle.UNPICKABLE
+        picked, seen = coin.SoSeparator(), coin.SoSeparator()
+        for parent, children in (
+            (self.switch, (self.fine, self.coarse)),
+            (picked, (unseen, self.coarse)),  # a mouse over millions of faces would wait for each move
+            (seen, (unpickable, self.switch)),
+            (self.node, (self._watch, hints, self.material, picked, seen)),
+        ):
+            for child in children:
+                parent.addChild(child)
+        self.switch.whichChild = 0
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._rest)
+        self.paint(view)
+        view.addDisplayMode(self.node, MODE)
+
+    def paint(self, view: Any) -> None:
+        """Take the view's own colour and transparency."""
+        looks = getattr(view, "ShapeAppearance", None)  # FreeCAD 1.x
+        colour = looks[0].DiffuseColor if looks else view.ShapeColor
+        self.material.diffuseColor.setValue(*(float(part) for part in colour[:3]))
+        self.material.transparency.setValue(view.Transparency / 100.0)
+
+    def fill(self) -> None:
+        """Show the design as it is now."""
+        self._key = self._object.ResultKey
+        try:
+            design = make.voxel_design_of(self._object)
+        except TrabeculaError:
+            return  # there is none yet
+        fine = merged_faces(design.voxels)
+        is_light = len(fine.corners) <= _MOVING
+        coarse = fine if is_light else coarse_faces(design.voxels, _MOVING)
+        for place, rectangles in ((self.fine, fine), (self.coarse, coarse)):
+            place.removeAllChildren()
+            for shape in _shapes(rectangles, design):
+                place.addChild(shape)
+
+    # ----------------------------------------------------------------------------------------------- while it is drawn
+
+    def _drawn(self, data: Any, action: Any) -> None:
+        """Choose what is drawn: coarse blocks in a picture whose camera is not where it was in the last."""
+        if not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+            return
+        if self._key != self._object.ResultKey:
+            QtCore.QTimer.singleShot(0, self.fill)
+            self._key = self._object.ResultKey
+        state = action.getState()
+        size = coin.SoViewportRegionElement.get(state).getViewportSizePixels().getValue()
+        camera = tuple(
+            element.get(state).getValue() for element in (coin.SoViewingMatrixElement, coin.SoProjectionMatrixElement)
+        )
+        before = self._cameras.get(tuple(size))
+        self._cameras[tuple(size)] = camera
+        moves = before is not None and before != camera
+        self.switch.enableNotify(False)  # no picture asks for the next
+        self.switch.whichChild = 1 if moves else 0
+        self.switch.enableNotify(True)
+        if moves:
+            self._timer.start(_REST)
+
+    def _rest(self) -> None:
+        """Have it drawn once more, whole."""
+        self.switch.touch()
+
+
+def _shapes(rectangles: Rectangles, design: VoxelDesign) -> List[Any]:
+    """A shape for each way that rectangles face."""
+    targets, shapes, start = design.targets, [], 0
+    for normal, count in zip(_NORMALS, rectangles.counts):
+        corners = rectangles.corners[start : start + count].reshape(-1, 3)
+        start += count
+        if not count:
+            continue
+        points = (corners * np.asarray(targets.voxel) + np.asarray(targets.origin)).astype(np.float32)
+        places, shape = coin.SoVertexProperty(), coin.SoFaceSet()
+        places.vertex.setValues(0, len(points), points)
+        # one normal for all is not sent with arrays of vertices: the shapes would be without shade
+        places.normal.setValues(0, len(points), np.tile(np.array(normal, np.float32), (len(points), 1)))
+        places.normalBinding = coin.SoVertexProperty.PER_VERTEX
+        shape.vertexProperty = places
+        shape.numVertices.setValues(0, count, np.full(count, 4, np.int32))
+        shapes.append(shape)
+    return shapes
+
+
+def choose_mode(obj: Any, is_coloured: bool) -> None:
+    """Draw many blocks merged, and as their mesh what is smooth, small, or has colours of its own."""
+    view = obj.ViewObject
+    merged = obj.Surface == "blocks" and obj.Mesh.CountFacets > LEAST_FACETS and not is_coloured
+    if MODE in view.listDisplayModes() and view.DisplayMode in (MODE, PLAIN):
+        wanted = MODE if merged else PLAIN
+        if view.DisplayMode != wanted:
+            view.DisplayMode = wanted
