@@ -30,7 +30,7 @@ class MergedBlocks:
     """
 
     def __init__(self, view: Any) -> None:
-        self._object, self._key = view.Object, ""
+        self._object, self._key, self._asked = view.Object, "", ""
         self._cameras: Dict[Tuple[int, ...], Tuple[Any, ...]] = {}
         self.node, self.switch, self.material = coin.SoSeparator(), coin.SoSwitch(), coin.SoMaterial()
         self.fine, self.coarse = coin.SoSeparator(), coin.SoSeparator()
@@ -49,6 +49,7 @@ class MergedBlocks:
             for child in children:
                 parent.addChild(child)
         self.switch.whichChild = 0
+        self.node.renderCulling = coin.SoSeparator.OFF  # what is empty would never be drawn, and so never filled
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._rest)
@@ -64,6 +65,8 @@ class MergedBlocks:
 
     def fill(self) -> None:
         """Show the design as it is now."""
+        if self._key == self._object.ResultKey:
+            return
         self._key = self._object.ResultKey
         try:
             design = make.voxel_design_of(self._object)
@@ -83,16 +86,16 @@ class MergedBlocks:
         """Choose what is drawn: coarse blocks in a picture whose camera is not where it was in the last."""
         if not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
-        if self._key != self._object.ResultKey:
+        if self._object.ResultKey not in (self._key, self._asked):  # of a file that was opened
+            self._asked = self._object.ResultKey
             QtCore.QTimer.singleShot(0, self.fill)
-            self._key = self._object.ResultKey
         state = action.getState()
-        size = coin.SoViewportRegionElement.get(state).getViewportSizePixels().getValue()
+        size = tuple(coin.SoViewportRegionElement.get(state).getViewportSizePixels())
         camera = tuple(
             element.get(state).getValue() for element in (coin.SoViewingMatrixElement, coin.SoProjectionMatrixElement)
         )
-        before = self._cameras.get(tuple(size))
-        self._cameras[tuple(size)] = camera
+        before = self._cameras.get(size)
+        self._cameras[size] = camera
         moves = before is not None and before != camera
         self.switch.enableNotify(False)  # no picture asks for the next
         self.switch.whichChild = 1 if moves else 0
@@ -133,3 +136,5 @@ def choose_mode(obj: Any, is_coloured: bool) -> None:
         wanted = MODE if merged else PLAIN
         if view.DisplayMode != wanted:
             view.DisplayMode = wanted
+        if merged and obj.ResultKey:
+            view.Proxy.blocks.fill()  # before the view is fitted to what it shows

@@ -97,7 +97,7 @@ class ViewProvider(Stateless):
             obj.ViewObject.Visibility = look_of(obj).visible
         elif name == "ResultKey" and colouring.is_coloured(obj):
             colouring.refresh(obj)
-        if name == "Mesh" and hasattr(self, "blocks"):
+        if name == "ResultKey" and hasattr(self, "blocks"):
             choose_mode(obj, colouring.is_coloured(obj))
 
     def onChanged(self, view: Any, name: str) -> None:
