@@ -6,8 +6,8 @@ from window import WindowTest
 
 from freecad_trabecula.gui import commands
 
-#: Workbenches of FreeCAD with keys of their own, as far as they are installed and need no packages.
-OTHERS = (
+#: Workbenches of FreeCAD with keys of their own; not Draft and BIM, whose start reports errors without a view.
+OTHERS = ("Part", "PartDesign", "Sketcher", "Mesh", "Points", "Surface", "Spreadsheet", "Assembly")
     "Part",
     "PartDesign",
     "Sketcher",
@@ -34,7 +34,7 @@ class KeysTest(WindowTest):
             words = FreeCADGui.Command.get(name).getShortcut().upper().replace(" ", "").split(",")
             if words != [""]:
                 keys[name] = words
-        self.assertGreater(len(keys), 100)
+        self.assertGreater(len(keys), 60)
         ours = {name for name in keys if name in commands.COMMANDS}
         self.assertGreater(len(ours), 20)
         for name in ours:
