@@ -8,18 +8,6 @@ from freecad_trabecula.gui import commands
 
 #: Workbenches of FreeCAD with keys of their own; not Draft and BIM, whose start reports errors without a view.
 OTHERS = ("Part", "PartDesign", "Sketcher", "Mesh", "Points", "Surface", "Spreadsheet", "Assembly")
-    "Part",
-    "PartDesign",
-    "Sketcher",
-    "Draft",
-    "Arch",
-    "BIM",
-    "Mesh",
-    "Points",
-    "Surface",
-    "Spreadsheet",
-    "Assembly",
-)
 
 
 class KeysTest(WindowTest):
