@@ -34,15 +34,15 @@ class Hit(NamedTuple):
 
 
 def page_of_command(name: str) -> str:
-    """Return the page of a command, within the docs.
+    """Return the page of a command, within the docs; commands of a group share the group's.
 
     Examples
     --------
     >>> page_of_command("Trabecula_Design"), page_of_command("Trabecula_Preset_case6")
     ('commands/Design.md', 'commands/Presets.md')
     """
-    short = name[len("Trabecula_") :]
-    return f"commands/{'Presets' if short.startswith('Preset_') else short}.md"
+    short, _, member = name[len("Trabecula_") :].partition("_")
+    return f"commands/{short}{'s' if member else ''}.md"
 
 
 def slug(heading: str) -> str:
