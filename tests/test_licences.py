@@ -4,6 +4,7 @@
 import fnmatch
 import re
 import subprocess
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import tomllib
@@ -56,6 +57,12 @@ def test_the_text_of_each_licence_that_is_named_is_here():
     named = set(rows_of_licences().values())
     assert {path.stem for path in (ROOT / "LICENSES").iterdir()} == named
     assert (ROOT / "LICENSES" / "LGPL-2.1-or-later.txt").read_bytes() == (ROOT / "LICENSE").read_bytes()
+
+
+def test_the_package_names_every_licence_that_a_file_has():
+    package = ElementTree.parse(str(ROOT / "package.xml")).getroot()
+    named = {one.text for one in package.findall("{https://wiki.freecad.org/Package_Metadata}license")}
+    assert named == set(rows_of_licences().values())
 
 
 def test_what_machines_read_says_the_same():

@@ -12,7 +12,7 @@ specification = importlib.util.spec_from_file_location("check_package", str(ROOT
 check_package = importlib.util.module_from_spec(specification)
 specification.loader.exec_module(check_package)
 FILES = ("package.xml", "InitGui.py", "CITATION.cff", "CHANGELOG.md", "pyproject.toml", "LICENSE")
-FILES += ("resources/icons/trabecula.svg", "resources/examples/LICENSE.BMFToolkit")
+FILES += ("resources/icons/trabecula.svg", "resources/examples/LICENSE.BMFToolkit", "LICENSES/CC0-1.0.txt")
 
 
 def test_nothing_is_wrong_with_our_package():

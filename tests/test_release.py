@@ -26,7 +26,8 @@ def tree(tmp_path):
     """A copy of the files that name the version, with something unreleased."""
     for name in FILES:
         shutil.copy(str(ROOT / name), str(tmp_path / name))
-    shutil.copytree(str(ROOT / "resources"), str(tmp_path / "resources"))
+    for name in ("resources", "LICENSES"):
+        shutil.copytree(str(ROOT / name), str(tmp_path / name))
     text = (tmp_path / "CHANGELOG.md").read_text(encoding="utf-8")
     heading = "## 0.0.9 (unreleased)\n\n* Something.\n\n"
     text = text if "(unreleased)" in text else text.replace("## ", heading + "## ", 1)
