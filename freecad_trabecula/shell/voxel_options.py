@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import Any, Dict, List, Optional
 
 from .option_values import PROGRAM, number, whole_number
 
-#: Of core/voxels, which needs numpy; held by a test too.
-STRATEGIES = ("best-tables", "by-field", "minimum-zeros", "random-layers", "sequential", "trabecular")
+_MODULES = Path(__file__).resolve().parent.parent / "core" / "voxels" / "strategies"
+#: Named as their modules, which need numpy: they are not imported here.
+STRATEGIES = tuple(sorted(one.stem.replace("_", "-") for one in _MODULES.glob("[a-z]*.py")))
+#: Of core/voxels, held by a test.
 CHOICES = {
     "areas": ("middle", "slab"),
     "correction": ("remainders", "random"),

