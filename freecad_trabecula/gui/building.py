@@ -13,7 +13,7 @@ import Part
 from .. import make
 from ..core.job import Job
 from ..core.records import to_record
-from ..errors import DependencyError, KernelError, TrabeculaError
+from ..errors import Cancelled, DependencyError, KernelError, TrabeculaError
 from ..features.relations import products_of, type_of
 from ..features.tasks import write_job_task
 from . import transactions
@@ -24,6 +24,11 @@ from .transactions import record
 
 #: Works that have not ended yet: a cancelled one lives on here until its process is gone.
 _works: Set[ChildWork] = set()
+
+
+#: The design that is being written: a step to undo that another document opens meanwhile would cut this one in two.
+_open_writings: List[Any] = []
+_TURN = 50  # ms until a design that waits looks whether it is its turn
 
 
 class Target(NamedTuple):
@@ -120,18 +125,35 @@ class Writing:
         self._unfinished = ""
 
     def start(self) -> None:
-        """Open the step to undo and begin."""
+        """Open the step to undo and begin; while another design is written, wait for it."""
+        if _open_writings:
+            invoke_later(self._start_if_wanted, _TURN)
+            return
         self._document = FreeCAD.getDocument(self._target.document)
         self._listener.begins()
         self._document.openTransaction("Design rods")
+        _open_writings.append(self)
         self._go_on()
+
+    def _start_if_wanted(self) -> None:
+        if not self._steps:
+            return  # cancelled meanwhile
+        if self._target.document in FreeCAD.listDocuments():
+            self.start()
+        else:
+            self._listener.failed(Cancelled("the document was closed"))
 
     def cancel(self) -> None:
         """Take back what was written."""
         self._steps = []
         if self._document is not None and self._target.document in FreeCAD.listDocuments():
             self._document.abortTransaction()
+        self._close()
+
+    def _close(self) -> None:
         self._document = None
+        if self in _open_writings:
+            _open_writings.remove(self)
 
     def _go_on(self) -> None:
         if self._document is None:
@@ -151,7 +173,7 @@ class Writing:
                 invoke_later(self._go_on)
             else:
                 self._document.commitTransaction()
-                self._document = None
+                self._close()
                 self._listener.done()
                 if self._unfinished:
                     transactions.show_error(self._unfinished)

@@ -42,7 +42,7 @@ class TwoDocumentsTest(WindowTest):
 
     def tearDown(self):
         notices().forget(self.document.Name)
-        notices().forget("Other")
+        notices().forget(self.other.Name)
         super().tearDown()
 
     def change_both(self):
@@ -63,16 +63,17 @@ class TwoDocumentsTest(WindowTest):
 
         def both_seen():
             seen.update(bar.what.text().partition(": ")[0] for bar in of_window().bars() if bar.bar.value() > 0)
-            return seen == {self.document.Label, "Other"}
+            return seen == {self.document.Label, self.other.Label}
 
         self.assertTrue(wait(both_seen, 120), seen)
         self.wait_until_shown(self.first, self.second)
         for wireframe, name in ((self.first, "case6"), (self.second, "case5")):
             shown = make.wireframe_of(wireframe).paths.copy()
             results.clear()
-            alone = make.make_design(FreeCAD.newDocument("Alone"), replace(preset(name), seed=5)).wireframe
+            document = FreeCAD.newDocument("Alone")
+            alone = make.make_design(document, replace(preset(name), seed=5)).wireframe
             self.assertLess(abs(make.wireframe_of(alone).paths - shown).max(), 1e-12)
-            FreeCAD.closeDocument("Alone")
+            FreeCAD.closeDocument(document.Name)
 
     def test_cancelling_one_leaves_the_other(self):
         self.change_both()
@@ -93,11 +94,12 @@ class TwoDocumentsTest(WindowTest):
             self.assertEqual(network.Rods, len(make.wireframe_of(network.Wireframe)))
             pores = network.Wireframe.Proxy.parameters(network.Wireframe).pores
             self.assertEqual(pores, preset(name).pores)
+            self.assertEqual(document.UndoNames.count("Design rods"), 1)
 
     def test_what_ends_elsewhere_is_told_until_it_is_seen_and_show_leads_there(self):
         self.first.Seed = 7
         self.document.recompute()
-        FreeCAD.setActiveDocument("Other")
+        FreeCAD.setActiveDocument(self.other.Name)
         self.wait_until_shown(self.first)
         self.assertTrue(wait(lambda: notices().texts(), 10))
         (text,) = notices().texts()
@@ -113,7 +115,7 @@ class TwoDocumentsTest(WindowTest):
         self.document.recompute()
         self.first.Couplings = ['{"first": "Face1", "second": "Face9"}']
         self.document.recompute()
-        FreeCAD.setActiveDocument("Other")
+        FreeCAD.setActiveDocument(self.other.Name)
         self.assertTrue(wait(lambda: notices().texts(), 60))
         self.assertEqual(notices().texts(), [f"{self.document.Label}: {self.first.Label} failed"])
         FreeCAD.closeDocument(self.document.Name)
