@@ -8,11 +8,12 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 from window import WindowTest, type_into
 from words import choices_of, command_texts, label_texts
 
 from freecad_trabecula import make
+from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.laws import KINDS, Law
 from freecad_trabecula.core.parameters import PoreParameters
 from freecad_trabecula.core.presets import preset
@@ -108,6 +109,58 @@ class NumberTest(unittest.TestCase):
         self.assertEqual(json.loads(text)["pores"]["layout"], preset("case1").pores.layout)
         self.assertNotRegex(text, r"\d,\d")
         self.assertIn("scatter=0.25", parameters_text(PoreParameters(scatter=0.25)))
+
+
+class PanelNumberTest(WindowTest):
+    def take_commas(self, panel):
+        """Type 0,5 into every number field that can hold it; return how many there were."""
+        fields = [one for one in panel.form.findChildren(QtGui.QAbstractSpinBox) if not isinstance(one, QtGui.QSpinBox)]
+        for box in fields:
+            if isinstance(box, QtGui.QDoubleSpinBox) and not box.minimum() <= 0.5 <= box.maximum():
+                continue
+            if not box.isEnabledTo(panel.form):
+                continue
+            # a length below 0,1 mm is shown in µm, and a bare number is then one of µm
+            type_into(box, "0,5" if isinstance(box, QtGui.QDoubleSpinBox) else "0,5 mm")
+            shown = box.property("rawValue") if box.property("rawValue") is not None else box.value()
+            self.assertAlmostEqual(float(shown), 0.5, places=9, msg=box.toolTip())
+            self.assertIn("0,5", box.text(), box.toolTip())
+        return len(fields)
+
+    def test_every_number_field_of_the_panels_takes_a_comma_and_shows_it(self):
+        self.assertGreater(self.take_commas(self.open_preset("case6")), 15)
+        panels.current().reject()
+        self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        for open_panel in (panels.open_voxels, panels.open_analysis):
+            open_panel(self.document)
+            self.assertGreater(self.take_commas(panels.current()), 3)
+            panels.current().reject()
+
+    def test_heights_are_typed_with_commas_between_blanks(self):
+        self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        panels.open_analysis(self.document)
+        fields = panels.current().fields
+        fields.layers.fields["at"].set_value("heights")
+        fields.heights.setText("0,5 1,25; 2")
+        self.assertEqual(fields.value().heights, (0.5, 1.25, 2.0))
+        fields.set_value(fields.value())
+        self.assertEqual(fields.heights.text(), "0,5 1,25 2")
+
+    def test_tables_on_disk_have_points(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        analysis = make.make_analysis(self.document, box, SliceParameters(thickness=0.3))
+        self.document.recompute()
+        with tempfile.TemporaryDirectory() as folder:
+            make.save_analysis(analysis, folder, plots="none")
+            tables = sorted(Path(folder).rglob("*.csv"))
+            self.assertTrue(tables)
+            for table in tables:
+                head, *rows = table.read_text(encoding="utf-8").splitlines()
+                self.assertTrue(all(len(row.split(",")) == len(head.split(",")) for row in rows), table.name)
+            self.assertTrue(any("0.15" in table.read_text(encoding="utf-8") for table in tables))  # first middle
 
 
 class SpeechTest(WindowTest):
