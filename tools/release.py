@@ -123,7 +123,7 @@ def main():
         return 1
     version = check_package.version_of(ROOT)
     print("==== package.xml, CITATION.cff, CHANGELOG.md: version %s" % version, flush=True)
-    failed = [] if choices.draft else None
+    failed = ["files"] * bool(faults) if choices.draft else None
     step("translations", (PYTHON, "tools/translations.py", "--check"), failed)
     step("lint", ("make", "lint"), failed)
     tests = [ROOT / "tests" / (name + ".py") for name in PACKAGE_TESTS]
