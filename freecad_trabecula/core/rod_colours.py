@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import ParameterError
 from .colours import BLUE, GREY, ORANGE, VERMILION, Colouring, Entry, by_class, by_value
-from .wireframe import Wireframe
+from .wireframe import Wireframe, rows_of_rods
 
 #: What became of a rod, and its colour; those that failed are no rods any more and stand in the legend only.
 OUTCOMES = {"as drawn": BLUE, "mended": ORANGE, "leaves the envelope": VERMILION, "failed, left out": GREY}
@@ -27,12 +27,12 @@ def _by_size(wireframe: Wireframe) -> Colouring:
 
 
 def _by_coupling(wireframe: Wireframe) -> Colouring:
-    numbers, rows = np.unique(wireframe.coupling, return_inverse=True)
-    made = [row for row in wireframe.rows if row.rods]  # couplings that are off have no row
-    names = [f"{row.first} - {row.second}" for row in made]
-    if len(names) != len(numbers):  # all rods of one failed
-        names = [str(k + 1) for k in numbers.tolist()]
-    return by_class(rows.reshape(-1), names, "coupling")
+    numbers, places = np.unique(wireframe.coupling, return_inverse=True)
+    rows = rows_of_rods(wireframe)
+    names = [str(k + 1) for k in numbers.tolist()]
+    if len(rows) and rows[0] >= 0:
+        names = [f"{wireframe.rows[k].first} - {wireframe.rows[k].second}" for k in np.unique(rows).tolist()]
+    return by_class(places.reshape(-1), names, "coupling")
 
 
 def _by_recovery(wireframe: Wireframe) -> Colouring:

@@ -112,6 +112,17 @@ def end_frames(a: Sites, first: np.ndarray, b: Sites, second: np.ndarray) -> np.
     return np.stack(frames, 1)
 
 
+def rows_of_rods(wireframe: Wireframe) -> np.ndarray:
+    """Return the row (R,) of the table of couplings to which each rod belongs; -1 where that cannot be told.
+
+    Couplings that are off have no row, those without a pair of sites no rod; once all rods of a coupling have failed,
+    rows and rods no longer follow each other.
+    """
+    numbers, places = np.unique(wireframe.coupling, return_inverse=True)
+    made = np.array([k for k, row in enumerate(wireframe.rows) if row.rods], int)
+    return made[places.reshape(-1)] if len(made) == len(numbers) else np.full(len(wireframe.coupling), -1)
+
+
 def without(wireframe: Wireframe, keep: np.ndarray) -> Wireframe:
     """Return the wireframe with only the rods of mask or indices ``keep``."""
     ends = wireframe.ends

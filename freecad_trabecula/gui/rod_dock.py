@@ -10,7 +10,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from ..core.wireframe import Wireframe
+from ..core.wireframe import Wireframe, rows_of_rods
 from ..errors import TrabeculaError
 from ..features.relations import type_of, wireframe_of
 from .language import in_words, local_number, place_text
@@ -103,7 +103,8 @@ def computed_wireframe(obj: Any) -> Optional[Wireframe]:
 def rod_facts(wireframe: Wireframe, number: int) -> List[Tuple[str, str]]:
     """Return what there is to know of one rod, as pairs of words."""
     rows = [(translate("Trabecula", "Rod"), wireframe.names[number])]
-    coupling = wireframe.rows[_row_of(wireframe, number)] if wireframe.rows else None
+    row = int(rows_of_rods(wireframe)[number])
+    coupling = wireframe.rows[row] if row >= 0 else None
     ends = (wireframe.ends.first, wireframe.ends.second if wireframe.ends.rolls else wireframe.ends.first)
     faces = (coupling.first, coupling.second) if coupling else ("", "")
     words = (translate("Trabecula", "First site"), translate("Trabecula", "Second site"))
@@ -125,12 +126,6 @@ def rod_facts(wireframe: Wireframe, number: int) -> List[Tuple[str, str]]:
     if wireframe.names[number] in wireframe.outside:
         rows.append((translate("Trabecula", "Outside"), translate("Trabecula", "leaves the envelope")))
     return rows
-
-
-def _row_of(wireframe: Wireframe, number: int) -> int:
-    """Row of the coupling table: couplings that are off have none."""
-    made = np.unique(wireframe.coupling)
-    return int(np.searchsorted(made, wireframe.coupling[number]))
 
 
 def _length(path: np.ndarray) -> float:

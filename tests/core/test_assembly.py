@@ -12,7 +12,7 @@ from freecad_trabecula.core.laws import Law, Region
 from freecad_trabecula.core.parameters import Coupling, PathParameters, PrismParameters, SiteEdit
 from freecad_trabecula.core.presets import PRESETS, THESIS, preset
 from freecad_trabecula.core.sites import prism_sites
-from freecad_trabecula.core.wireframe import WireframeParameters, skin
+from freecad_trabecula.core.wireframe import WireframeParameters, rows_of_rods, skin, without
 from freecad_trabecula.errors import ParameterError
 
 PRISMS = [name for name in PRESETS if preset(name).prism is not None]
@@ -145,3 +145,16 @@ def test_a_coupling_of_a_face_that_is_not_there_is_refused():
         )  # fmt: skip
     with pytest.raises(ParameterError, match="seed"):
         WireframeParameters(couplings=opposite_couplings("random"), seed=-3)
+
+
+def test_each_rod_finds_its_row_also_beside_couplings_that_are_off_or_made_no_rod():
+    prism = PrismParameters()
+    pairs = (Coupling("Face1", "Face2", on=False), Coupling("Face3", "Face4"), Coupling("Face3", "Face4"),
+             Coupling("Face5", "Face6"))  # fmt: skip
+    made = make_wireframe(WireframeParameters(couplings=pairs), prism_sites(prism), region(prism))
+    assert [row.rods > 0 for row in made.rows] == [True, False, True]  # the second has used up the third's sites
+    rows = rows_of_rods(made)
+    faces = [{name.split(".")[0] for name in one.split("-")} for one in made.names]
+    assert [{made.rows[k].first, made.rows[k].second} for k in rows.tolist()] == faces
+    lost = without(made, np.flatnonzero(rows == 0))  # no rod of the last coupling is left
+    assert set(rows_of_rods(lost).tolist()) == {-1}
