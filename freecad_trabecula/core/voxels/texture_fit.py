@@ -134,7 +134,9 @@ def _scaled_to(window: np.ndarray, wanted: np.ndarray, texture: Texture, steps: 
         got = np.mean([crossing_tensor(solid) for solid in solids], 0)
         ratio = np.sqrt(np.maximum(np.diag(axes @ got @ axes.T), 1e-12) / np.diag(axes @ wanted @ axes.T))
         factors = np.clip(ratio, 0.5, 2.0)
-        texture = replace(texture, wavelengths=tuple(_length(np.array(texture.wavelengths) * factors)))
+        # a window of few waves is crossed by what its layers' counts ask for, however long the waves are
+        lengths = np.minimum(np.array(texture.wavelengths) * factors, _LONGEST * max(window.shape))
+        texture = replace(texture, wavelengths=tuple(_length(lengths)))
     return texture, solids
 
 

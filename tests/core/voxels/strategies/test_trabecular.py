@@ -2,6 +2,7 @@
 """Trabecular designs: exact, one part, no cavity, no contact by an edge; with what else is asked for."""
 
 import hashlib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from freecad_trabecula.core.voxels.connectivity import closed_cavities, corner_contacts, edge_contacts, parts
 from freecad_trabecula.core.voxels.masks import targets_within
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
+from freecad_trabecula.core.voxels.sources import read_targets
 from freecad_trabecula.core.voxels.strategies.trabecular import DEFAULT_WAVELENGTH, chosen_texture, design
 from freecad_trabecula.core.voxels.targets import Targets, targets_of_voxels
 from freecad_trabecula.core.voxels.texture import Texture, trabecular_field
@@ -123,3 +125,14 @@ def test_a_design_can_be_cancelled():
 def test_numbers_of_trabeculae_without_a_sample_are_refused():
     with pytest.raises(ParameterError, match="need a sample"):
         design(Targets(TARGETS.d, TARGETS.e, TARGETS.c), VoxelParameters(trabeculae="z"))
+
+
+@pytest.mark.parametrize("name", ["a", "b"])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_specimens_that_hold_about_one_wave_are_designed(name, seed):
+    path = Path(__file__).parents[4] / "resources" / "examples" / ("shrew_bone_%s.ply" % name)
+    chosen = VoxelParameters(size=(0.1, 0.1, 0.1), seed=seed)
+    targets = read_targets(path, chosen)
+    made = design(targets, chosen)
+    assert_one_exact_part(made, targets)
+    assert max(chosen_texture(targets, chosen).wavelengths) <= 4 * max(made.shape)  # texture_fit says why
