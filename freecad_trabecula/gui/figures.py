@@ -16,6 +16,8 @@ from ..features.relations import products_of
 from .language import choice, filled, in_words, local_number
 
 translate = FreeCAD.Qt.translate
+#: Bodies that checks and notes name, translated with what is said of them.
+_BODIES = (FreeCAD.Qt.QT_TRANSLATE_NOOP("Core", "scaffold"), FreeCAD.Qt.QT_TRANSLATE_NOOP("Core", "channels"))
 _POWER = re.compile(r"\bmm\^?([23])\b")
 
 
@@ -223,5 +225,5 @@ def checked(text: str) -> Checked:
     found = Check.from_text(text)
     if found is None:
         return Checked(with_powers(in_words(text)), False, "")
-    rest = text[len(found.name) + 2 :]
-    return Checked(with_powers(in_words(found.name)), found.ok, with_powers(in_words(rest)))
+    words = translate("Trabecula", "{:.9g} against {:.9g}, {:.2g} apart (at most {:.2g})")
+    return Checked(with_powers(in_words(found.name)), found.ok, filled(words, *found[1:]))

@@ -2773,6 +2773,11 @@
         <translation>Ketten von Trabekeln, die von Schnitt zu Schnitt weitergehen, jedes überlappt genau eines des nächsten, durch den Abstand vom ersten zum letzten Schnitt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
         <translation>Kanäle aus Dreiecken und aus Strahlen, mm3</translation>
@@ -3823,6 +3828,11 @@
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>row sums and column sums must agree, got {} and {}</source>
         <translation>Zeilen- und Spaltensummen müssen übereinstimmen, hier {} und {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>scaffold</source>
+        <translation>Gerüst</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5067,7 +5077,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>watertight {}: faulty edges</source>
-        <translation>dichtes {}: fehlerhafte Kanten</translation>
+        <translation>{} dicht: fehlerhafte Kanten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
@@ -8737,6 +8747,11 @@
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>{:.3f} against {:.3f}, at most {:.3g} % apart (allowed: {:g} %)</source>
         <translation>{:.3f} gegen {:.3f}, höchstens {:.3g} % auseinander (erlaubt: {:g} %)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{:.9g} against {:.9g}, {:.2g} apart (at most {:.2g})</source>
+        <translation>{:.9g} gegen {:.9g}, {:.2g} auseinander (höchstens {:.2g})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>

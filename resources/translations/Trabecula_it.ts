@@ -2773,6 +2773,11 @@
         <translation>catene di trabecole che proseguono di sezione in sezione, ognuna sovrapposta a una sola della successiva, sulla distanza dalla prima all'ultima sezione</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>channels</source>
+        <translation>canali</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
         <translation>canali per triangoli e per raggi, mm3</translation>
@@ -3823,6 +3828,11 @@
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
         <source>row sums and column sums must agree, got {} and {}</source>
         <translation>somme di righe e colonne devono accordarsi, qui {} e {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>scaffold</source>
+        <translation>scaffold</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -8737,6 +8747,11 @@
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>{:.3f} against {:.3f}, at most {:.3g} % apart (allowed: {:g} %)</source>
         <translation>{:.3f} contro {:.3f}, distanti al più {:.3g} % (ammesso: {:g} %)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/figures.py"/>
+        <source>{:.9g} against {:.9g}, {:.2g} apart (at most {:.2g})</source>
+        <translation>{:.9g} contro {:.9g}, distanti {:.2g} (al più {:.2g})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>

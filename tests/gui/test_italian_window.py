@@ -11,6 +11,7 @@ from window import WindowTest
 from words import command_texts, label_texts
 
 from freecad_trabecula.gui import language, panels
+from freecad_trabecula.gui.commands import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[2]
 #: Read by tests/run.py, which writes it into FreeCAD's settings.
@@ -25,6 +26,17 @@ class TextTest(WindowTest):
     def test_commands_have_italian_texts_and_tooltips(self):
         self.assertEqual(command_texts("Trabecula_Design")[0], "Progetta aste")
         self.assertIn("Tagliare i canali dall'involucro", command_texts("Trabecula_Scaffold")[1])
+
+    def test_every_command_is_italian_in_menu_and_tooltip(self):
+        shown = {name: one for name, one in COMMANDS.items() if FreeCADGui.Command.get(name).getAction()}
+        self.assertGreater(len(shown), 25)  # those in the menus of groups have no entry of their own
+        for name, command in shown.items():
+            with self.subTest(command=name):
+                text, tip = command_texts(name)
+                english = type(command).__dict__.get("TEXT", "")
+                if english:  # others are made of words that were translated before
+                    self.assertNotEqual(text, english.replace("&", ""))
+                self.assertNotIn(command.TIP if type(command).__dict__.get("TIP") else "Select ", tip)
 
     def test_the_design_panel_is_italian(self):
         panel = self.open_preset("case1")
