@@ -103,7 +103,7 @@ def with_decimals(text: str) -> str:
 
 
 class _Template(NamedTuple):
-    pattern: Pattern[str]
+    pieces: Tuple[str, ...]  # what stands between its values
     longest: str  # its longest piece between values: a quick way to see that it does not fit
     letters: int
     source: str
@@ -129,13 +129,17 @@ def in_words(text: str, depth: int = _DEPTH) -> str:
 
 @lru_cache(maxsize=2000)
 def _in_words(text: str, depth: int, code: str, sign: str) -> str:
+    if code == "en" and sign == ".":
+        return text
     fixed, templates = _speech(code)
     if text in fixed:
         return fixed[text]
-    if code == "en" and sign == ".":
-        return text
     fitting = [
-        (one, found) for one in templates if one.longest in text for found in [one.pattern.fullmatch(text)] if found
+        (one, found)
+        for one in templates
+        if one.longest in text
+        for found in [_pattern(one.pieces).fullmatch(text)]
+        if found
     ]
     if fitting and depth:
         best, found = max(fitting, key=lambda pair: pair[0].letters)
@@ -153,6 +157,12 @@ def language() -> str:
     return code if len(code) == 2 else "en"
 
 
+@lru_cache(maxsize=2000)
+def _pattern(pieces: Tuple[str, ...]) -> Pattern[str]:
+    """The pattern of a template, made when a message may be one: all of them at once would take a third of a second."""
+    return re.compile("(.*?)".join(re.escape(piece) for piece in pieces), re.DOTALL)
+
+
 @lru_cache(maxsize=4)
 def _speech(code: str) -> Tuple[Dict[str, str], List[_Template]]:
     """Fixed texts and templates of the layers below, from the file of a language; for English those of another."""
@@ -166,8 +176,7 @@ def _speech(code: str) -> Tuple[Dict[str, str], List[_Template]]:
         pieces = [piece.replace("{{", "{").replace("}}", "}") for piece in _PLACE.split(source)]
         letters = sum(len(re.findall(r"\w", piece)) for piece in pieces)
         if letters >= _LEAST_LETTERS:
-            pattern = re.compile("(.*?)".join(re.escape(piece) for piece in pieces), re.DOTALL)
-            templates.append(_Template(pattern, max(pieces, key=len), letters, source, target))
+            templates.append(_Template(tuple(pieces), max(pieces, key=len), letters, source, target))
     return fixed, templates
 
 
