@@ -15,7 +15,7 @@ def geometric(tilt: np.ndarray, cap: int) -> Tuple[np.ndarray, np.ndarray, np.nd
 
     Examples
     --------
-    >>> [round(float(v), 3) for v in geometric(np.zeros(1), 4)[1:]]
+    >>> [round(float(v[0]), 3) for v in geometric(np.zeros(1), 4)[1:]]
     [2.0, 2.0]
     """
     steep = np.minimum(-np.abs(tilt), -_NEARLY_EVEN)
