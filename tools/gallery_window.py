@@ -282,6 +282,7 @@ def take_voxels():
     voxel_dock().hide()
     view().viewIsometric()
     view().fitAll()
+    wait(seconds=1.5)  # blocks are coarse while the camera moves
     shoot("voxels-panel")
     panel.fields.strategy.setCurrentText("minimum-zeros")
     shoot("voxels-strategy")
