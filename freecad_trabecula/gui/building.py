@@ -127,7 +127,7 @@ class Writing:
     def start(self) -> None:
         """Open the step to undo and begin; while another design is written, wait for it."""
         if _open_writings:
-            invoke_later(self._start_if_wanted, _TURN)
+            invoke_later(lambda: self._start_if_wanted(), _TURN)  # Qt 6 holds no object for its method
             return
         self._document = FreeCAD.getDocument(self._target.document)
         self._listener.begins()
