@@ -330,8 +330,13 @@ def _require(call: ast.Call) -> ast.expr:
     return ast.JoinedStr([call.args[1], ast.Constant(", got "), ast.FormattedValue(ast.Constant(None), -1)])
 
 
-#: Functions that refuse a value with a rule, and what they say.
-RULES: Dict[str, Callable[[ast.Call], ast.expr]] = {"require": _require}
+def _optional_module(call: ast.Call) -> ast.expr:
+    """What ``core.optional_packages.optional_module(name, purpose)`` says before the command that installs it."""
+    return call.args[1]
+
+
+#: Functions that refuse something with a rule, and what they say.
+RULES: Dict[str, Callable[[ast.Call], ast.expr]] = {"require": _require, "optional_module": _optional_module}
 #: Functions whose texts are no speech: descriptions of properties (``App::Property``), patterns.
 NOT_SPOKEN = ("Property", "result", "_f", "compile", "sub", "match", "search", "fullmatch", "split", "doc")
 DOCUMENTED = {"Property": 3, "result": 2, "addProperty": 3}

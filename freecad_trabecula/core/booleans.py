@@ -21,12 +21,11 @@ from typing import Any, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from ..errors import DependencyError, MeshError, ParameterError
+from ..errors import MeshError, ParameterError
 from .meshes import Mesh
+from .optional_packages import optional_module
 from .progress import Progress, part, silent
 
-VERSION = "3.5.4"
-INSTALL = f"python3 -m pip install --no-deps --target <FreeCAD's additional packages folder> manifold3d=={VERSION}"
 KINDS = ("union", "difference", "intersection")
 
 
@@ -54,11 +53,7 @@ def manifold_available() -> bool:
 
 
 def _library() -> Any:
-    try:
-        import manifold3d
-    except ImportError as error:
-        raise DependencyError(f"mesh Booleans need the package manifold3d; install it with: {INSTALL}") from error
-    return manifold3d
+    return optional_module("manifold3d", "mesh Booleans need the package manifold3d")
 
 
 def _solid(library: Any, vertices: np.ndarray, triangles: np.ndarray, name: str) -> Any:

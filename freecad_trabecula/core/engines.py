@@ -9,8 +9,9 @@ from typing import NamedTuple, Sequence
 import numpy as np
 
 from ..errors import ParameterError
-from .booleans import INSTALL, manifold_available
+from .booleans import manifold_available
 from .field import field_estimate
+from .optional_packages import INSTALL
 from .parameters import ScaffoldParameters
 
 #: Mesh engine: CPU seconds per triangle and halving of the rods, and per pair of rods that come near each other;
@@ -133,9 +134,10 @@ def choose(
     """
     layers = parameters.layers
     closed = bool(layers.faces) and layers.closed
+    install = INSTALL["manifold3d"]
     if parameters.engine == "field" and closed and not manifold_available():
         raise ParameterError(
-            f"closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {INSTALL}; "
+            f"closed layers need a Boolean, which takes them out of the rods, and that needs manifold3d: {install}; "
             "or choose layers that are not closed"
         )
     sizes = [estimate(vertices, triangles, low, high, parameters.cell, engine) for engine in ("mesh", "field")]
@@ -145,7 +147,7 @@ def choose(
     if closed and not manifold_available():
         return mesh._replace(reason=mesh.reason + "; closed layers need a Boolean")
     if not manifold_available():
-        return field._replace(reason=f"{field.reason}; the exact mesh engine needs manifold3d: {INSTALL}")
+        return field._replace(reason=f"{field.reason}; the exact mesh engine needs manifold3d: {install}")
     if mesh.seconds > LONGEST:
         return field._replace(reason=f"{field.reason}; the exact mesh engine would take about {mesh.seconds:,.0f} s")
     return mesh._replace(reason=mesh.reason + "; exact")

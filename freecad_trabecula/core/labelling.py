@@ -5,9 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..errors import DependencyError
-
-INSTALL = "python3 -m pip install scipy (Debian: apt install python3-scipy)"
+from .optional_packages import optional_module
 
 
 def scipy_ndimage() -> Any:
@@ -18,8 +16,4 @@ def scipy_ndimage() -> Any:
     DependencyError
         If scipy is missing; the message says how to install it.
     """
-    try:
-        from scipy import ndimage
-    except ImportError as error:
-        raise DependencyError(f"parts of voxels and distances between them need scipy: {INSTALL}") from error
-    return ndimage
+    return optional_module("scipy.ndimage", "parts of voxels and distances between them need scipy")

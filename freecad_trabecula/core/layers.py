@@ -13,9 +13,10 @@ from typing import NamedTuple, Sequence, Tuple
 
 import numpy as np
 
-from ..errors import DependencyError, MeshError
+from ..errors import MeshError
 from .booleans import combine
 from .meshes import Mesh, directed_edges, join, mesh_volume
+from .optional_packages import optional_module
 from .parameters import Coupling, LayerParameters
 from .pieces import pieces
 from .wireframe import Wireframe
@@ -216,10 +217,8 @@ def unfolded(patch: Patch, inner: float, outer: float) -> Tuple[Patch, int]:
 
 def _smoothed(patch: Patch, zone: np.ndarray, reach: float) -> np.ndarray:
     """Normals (P, 3): in the zone their Gaussian mean over ``reach`` mm, far from it as they were, else a blend."""
-    try:
-        from scipy.spatial import cKDTree
-    except ImportError as error:
-        raise DependencyError("layers on faces that bend sharply need the package scipy") from error
+    purpose = "layers on faces that bend sharply need the package scipy"
+    cKDTree = optional_module("scipy.spatial", purpose).cKDTree
     points, t = patch.vertices, patch.triangles
     area = np.linalg.norm(np.cross(points[t[:, 1]] - points[t[:, 0]], points[t[:, 2]] - points[t[:, 0]]), axis=1)
     share = np.bincount(t.ravel(), area.repeat(3), len(points))

@@ -12,7 +12,8 @@ from typing import Dict, List, Tuple
 
 import numpy as np
 
-from ..errors import DependencyError, MeshError
+from ..errors import MeshError
+from .optional_packages import optional_module
 
 _SHIFT = 1e-5  # of the mean length of a border segment
 _WAVES = np.array([[3.7, -2.3], [1.9, 4.1]])  # radians per length; any that do not fit a regular grid
@@ -36,12 +37,9 @@ def triangulate(points: np.ndarray, segments: np.ndarray) -> np.ndarray:
     MeshError
         If a segment crosses another or runs through a point, or a point stays unused.
     """
-    try:
-        from scipy.spatial import Delaunay
-    except ImportError as error:
-        raise DependencyError("triangles between trimmed borders need the Python package scipy") from error
+    spatial = optional_module("scipy.spatial", "triangles between trimmed borders need the Python package scipy")
     shifted = _shifted(points, segments)
-    triangles = Delaunay(shifted).simplices.astype(np.int64)
+    triangles = spatial.Delaunay(shifted).simplices.astype(np.int64)
     a, b, c = (shifted[triangles[:, k]] for k in range(3))
     turned = _cross(b - a, c - a) < 0
     triangles[turned] = triangles[turned][:, [0, 2, 1]]

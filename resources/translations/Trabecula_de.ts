@@ -2518,6 +2518,11 @@
         <translation>eine ganze Zahl</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
+        <source>a workbook needs openpyxl</source>
+        <translation>eine Arbeitsmappe braucht openpyxl</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>a {} without one</source>
         <translation>{} ohne einen</translation>
@@ -3136,6 +3141,11 @@
         <translation>Bilder müssen von der Art {} sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>images of this kind need Pillow</source>
+        <translation>Bilder dieser Art brauchen Pillow</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
         <translation>Inseln</translation>
@@ -3365,6 +3375,11 @@
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>mesh</source>
         <translation>Netz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>mesh Booleans need the package manifold3d</source>
+        <translation>boolesche Operationen mit Netzen brauchen das Paket manifold3d</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -3598,6 +3613,11 @@
         <translation>Teile minus Henkel plus Hohlräume der Voxel als geschlossener Körper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/labelling.py"/>
+        <source>parts of voxels and distances between them need scipy</source>
+        <translation>Teile aus Voxeln und Abstände zwischen ihnen brauchen scipy</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>pasted: recompute the document</source>
         <translation>eingefügt: das Dokument neu berechnen</translation>
@@ -3636,6 +3656,11 @@
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>plots must be one of {}, none, got {}</source>
         <translation>Diagramme müssen eines von {}, none sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/plots.py"/>
+        <source>plots need matplotlib</source>
+        <translation>Diagramme brauchen matplotlib</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
@@ -4032,8 +4057,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
-        <source>tables within a mask need scipy 1.6 or later: pip install scipy</source>
-        <translation>Tabellen in einer Maske brauchen scipy 1.6 oder neuer: pip install scipy</translation>
+        <source>tables within a mask need scipy 1.6 or later</source>
+        <translation>Tabellen in einer Maske brauchen scipy 1.6 oder neuer</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4089,8 +4114,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
-        <source>the best layer of given tables needs scipy 1.6 or later: pip install scipy</source>
-        <translation>die beste Schicht zu gegebenen Tabellen braucht scipy 1.6 oder neuer: pip install scipy</translation>
+        <source>the best layer of given tables needs scipy 1.6 or later</source>
+        <translation>die beste Schicht zu gegebenen Tabellen braucht scipy 1.6 oder neuer</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4560,8 +4585,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
-        <source>the search for a design needs scipy 1.9 or later: pip install scipy</source>
-        <translation>die Suche nach einem Entwurf braucht scipy 1.9 oder neuer: pip install scipy</translation>
+        <source>the search for a design needs scipy 1.9 or later</source>
+        <translation>die Suche nach einem Entwurf braucht scipy 1.9 oder neuer</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4951,8 +4976,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
-        <source>union and compensation need the package manifold3d; install it with: {}</source>
-        <translation>Vereinigung und Korrektur brauchen das Paket manifold3d; so wird es installiert: {}</translation>
+        <source>union and compensation need the package manifold3d</source>
+        <translation>Vereinigung und Korrektur brauchen das Paket manifold3d</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -6074,6 +6099,11 @@
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
         <translation>{}: {} x {} x {} Werte von {} sind {} Bytes, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/optional_packages.py"/>
+        <source>{}; install it with: {}</source>
+        <translation>{}; so wird es installiert: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>

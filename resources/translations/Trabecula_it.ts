@@ -2518,6 +2518,11 @@
         <translation>un numero intero</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/workbook.py"/>
+        <source>a workbook needs openpyxl</source>
+        <translation>una cartella di lavoro richiede openpyxl</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>a {} without one</source>
         <translation>{} senza</translation>
@@ -3136,6 +3141,11 @@
         <translation>le immagini devono essere del tipo {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
+        <source>images of this kind need Pillow</source>
+        <translation>immagini di questo tipo richiedono Pillow</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
         <source>islands</source>
         <translation>isole</translation>
@@ -3365,6 +3375,11 @@
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>mesh</source>
         <translation>mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/booleans.py"/>
+        <source>mesh Booleans need the package manifold3d</source>
+        <translation>le operazioni booleane con mesh richiedono il pacchetto manifold3d</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -3598,6 +3613,11 @@
         <translation>parti meno manici più cavità, dei voxel come corpo chiuso</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/labelling.py"/>
+        <source>parts of voxels and distances between them need scipy</source>
+        <translation>le parti di voxel e le distanze tra loro richiedono scipy</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>pasted: recompute the document</source>
         <translation>incollato: ricalcolare il documento</translation>
@@ -3636,6 +3656,11 @@
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
         <source>plots must be one of {}, none, got {}</source>
         <translation>i grafici devono essere uno di {}, none, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/plots.py"/>
+        <source>plots need matplotlib</source>
+        <translation>i grafici richiedono matplotlib</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
@@ -4032,8 +4057,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
-        <source>tables within a mask need scipy 1.6 or later: pip install scipy</source>
-        <translation>le tabelle in una maschera richiedono scipy 1.6 o successivo: pip install scipy</translation>
+        <source>tables within a mask need scipy 1.6 or later</source>
+        <translation>le tabelle in una maschera richiedono scipy 1.6 o successivo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4089,8 +4114,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/best_layer.py"/>
-        <source>the best layer of given tables needs scipy 1.6 or later: pip install scipy</source>
-        <translation>il miglior strato per tabelle date richiede scipy 1.6 o successivo: pip install scipy</translation>
+        <source>the best layer of given tables needs scipy 1.6 or later</source>
+        <translation>il miglior strato per tabelle date richiede scipy 1.6 o successivo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4560,8 +4585,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
-        <source>the search for a design needs scipy 1.9 or later: pip install scipy</source>
-        <translation>la ricerca di un progetto richiede scipy 1.9 o successivo: pip install scipy</translation>
+        <source>the search for a design needs scipy 1.9 or later</source>
+        <translation>la ricerca di un progetto richiede scipy 1.9 o successivo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -4951,8 +4976,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
-        <source>union and compensation need the package manifold3d; install it with: {}</source>
-        <translation>unione e compensazione richiedono il pacchetto manifold3d; si installa con: {}</translation>
+        <source>union and compensation need the package manifold3d</source>
+        <translation>unione e compensazione richiedono il pacchetto manifold3d</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -6074,6 +6099,11 @@
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
         <translation>{}: {} x {} x {} valori di {} sono {} byte, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/optional_packages.py"/>
+        <source>{}; install it with: {}</source>
+        <translation>{}; si installa con: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>

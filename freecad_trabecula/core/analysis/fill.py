@@ -13,8 +13,7 @@ from typing import Any, List, Tuple
 
 import numpy as np
 
-from ...errors import DependencyError
-from ..booleans import INSTALL
+from ..optional_packages import optional_module
 from ..progress import Progress, silent
 from .contours import Contours
 
@@ -51,13 +50,7 @@ def offset_contours(contours: Contours, distance: float, progress: Progress = si
 
 
 def _library() -> Any:
-    try:
-        import manifold3d
-    except ImportError as error:
-        raise DependencyError(
-            f"union and compensation need the package manifold3d; install it with: {INSTALL}"
-        ) from error
-    return manifold3d
+    return optional_module("manifold3d", "union and compensation need the package manifold3d")
 
 
 def _changed(contours: Contours, change: Any, progress: Progress, what: str,

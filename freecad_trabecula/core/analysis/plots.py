@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Sequence, 
 
 import numpy as np
 
-from ...errors import DependencyError
+from ..optional_packages import optional_module
 from ..stl import whole_file
 from .contours import ContourMeasures
 from .passport import trabecular_areas
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from .analysis import Analysis
     from .comparison import Comparison, SharedAxis
 
-INSTALL = "python3 -m pip install matplotlib (Debian: apt install python3-matplotlib)"
 FORMATS = ("png", "svg", "pdf")
 #: Okabe and Ito, Color Universal Design, 2008.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
@@ -49,11 +48,9 @@ def require_matplotlib() -> Any:
     DependencyError
         If it is missing; the message says how to install it.
     """
-    try:
-        import matplotlib.figure
-    except ImportError as error:
-        raise DependencyError(f"plots need matplotlib: {INSTALL}") from error
-    return matplotlib
+    for part in ("matplotlib.figure", "matplotlib"):
+        module = optional_module(part, "plots need matplotlib")
+    return module
 
 
 def new_figure(width: float, height: float) -> Any:

@@ -13,13 +13,13 @@ from typing import Any, List, Mapping, Tuple, Union
 
 import numpy as np
 
-from ...errors import DependencyError, ParameterError
+from ...errors import ParameterError
+from ..optional_packages import optional_module
 from ..progress import Progress, silent
 from ..stl import whole_file
 from .contours import ContourMeasures
 from .profiles import Profile
 
-INSTALL = "python3 -m pip install openpyxl (Debian: apt install python3-openpyxl)"
 _MOST_ROWS = 1_048_576  # of a sheet of XLSX, the titles among them
 _BLOCK = 2000  # rows between two reports of progress
 _WIDTH = 20  # of a column, letters
@@ -51,11 +51,7 @@ def require_openpyxl() -> Any:
     DependencyError
         If it is missing; the message says how to install it.
     """
-    try:
-        import openpyxl
-    except ImportError as error:
-        raise DependencyError(f"a workbook needs openpyxl: {INSTALL}") from error
-    return openpyxl
+    return optional_module("openpyxl", "a workbook needs openpyxl")
 
 
 def write_workbook(

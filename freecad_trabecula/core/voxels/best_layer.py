@@ -7,7 +7,8 @@ from typing import Optional
 
 import numpy as np
 
-from ...errors import DependencyError, InfeasibleError
+from ...errors import InfeasibleError
+from ..optional_packages import optional_module
 from ..progress import Progress, silent
 
 
@@ -41,15 +42,17 @@ def best_layer(field: np.ndarray, alpha: np.ndarray, beta: np.ndarray, mask: Opt
     >>> best_layer(np.array([[1.0, 5.0], [4.0, 2.0]]), np.array([1, 1]), np.array([1, 1])).astype(int).tolist()
     [[0, 1], [1, 0]]
     """
-    try:
-        from scipy.optimize import linprog
-        from scipy.sparse import eye, kron, vstack
-    except ImportError as error:
-        raise DependencyError("the best layer of given tables needs scipy 1.6 or later: pip install scipy") from error
+    purpose = "the best layer of given tables needs scipy 1.6 or later"
+    sparse, optimize = (optional_module(name, purpose) for name in ("scipy.sparse", "scipy.optimize"))
     rows, columns = field.shape
     cells = np.arange(rows * columns) if mask is None else np.flatnonzero(mask)
-    sums = vstack([kron(np.ones((1, rows)), eye(columns)), kron(eye(rows), np.ones((1, columns)))]).tocsc()
-    result = linprog(
+    sums = sparse.vstack(
+        [
+            sparse.kron(np.ones((1, rows)), sparse.eye(columns)),
+            sparse.kron(sparse.eye(rows), np.ones((1, columns))),
+        ]
+    ).tocsc()
+    result = optimize.linprog(
         -np.asarray(field, float).ravel()[cells],
         A_eq=sums[:, cells],
         b_eq=np.concatenate([alpha, beta]).astype(float),

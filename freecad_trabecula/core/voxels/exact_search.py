@@ -12,7 +12,8 @@ from typing import Any, Optional, Tuple
 
 import numpy as np
 
-from ...errors import DependencyError, ExactnessError, InfeasibleError
+from ...errors import ExactnessError, InfeasibleError
+from ..optional_packages import optional_module
 from .feasibility import caps_of, layers_in_words
 from .parameters import VoxelParameters
 from .targets import AXES, Targets
@@ -41,26 +42,26 @@ def searched_design(targets: Targets, parameters: VoxelParameters, mask: Optiona
     ExactnessError
         If there are more than ``LARGEST_SEARCH`` cells, or time ran out.
     DependencyError
-        If scipy is missing.
+        If scipy is missing or too old.
     """
     allowed = np.ones(targets.shape, bool) if mask is None else mask
     if int(allowed.sum()) > LARGEST_SEARCH:
         raise ExactnessError(
             f"designs are searched for exhaustively up to {LARGEST_SEARCH} cells, got {int(allowed.sum())}"
         )
-    try:
-        from scipy.optimize import Bounds, LinearConstraint, milp
-    except ImportError as error:
-        raise DependencyError("the search for a design needs scipy 1.9 or later: pip install scipy") from error
+    optimize = optional_module("scipy.optimize", "the search for a design needs scipy 1.9 or later", "milp")
     _check_weights(targets, allowed)
     matrix, sums = _layer_sums(targets, allowed)
     lines, caps = _line_caps(targets, parameters, allowed)
     cells = matrix.shape[1]
-    result = milp(
+    result = optimize.milp(
         np.zeros(cells),
         integrality=np.ones(cells),
-        bounds=Bounds(0, 1),
-        constraints=[LinearConstraint(matrix, sums, sums), LinearConstraint(lines, -np.inf, caps)],
+        bounds=optimize.Bounds(0, 1),
+        constraints=[
+            optimize.LinearConstraint(matrix, sums, sums),
+            optimize.LinearConstraint(lines, -np.inf, caps),
+        ],
         options={"time_limit": _SECONDS},
     )
     if result.status == 2:

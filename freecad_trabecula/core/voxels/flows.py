@@ -11,7 +11,8 @@ from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from ...errors import DependencyError, InfeasibleError
+from ...errors import InfeasibleError
+from ..optional_packages import optional_module
 from .feasibility import layers_in_words
 
 
@@ -48,7 +49,7 @@ def greatest_flow(
     Raises
     ------
     DependencyError
-        If scipy is missing.
+        If scipy is missing or too old.
 
     Examples
     --------
@@ -56,23 +57,21 @@ def greatest_flow(
     >>> flow.amounts.tolist(), flow.reached.tolist()
     ([2, 2, 2], [True, False, True, False])
     """
-    try:
-        from scipy.sparse import csr_matrix
-        from scipy.sparse.csgraph import breadth_first_order, maximum_flow
-    except ImportError as error:
-        raise DependencyError("tables within a mask need scipy 1.6 or later: pip install scipy") from error
+    purpose = "tables within a mask need scipy 1.6 or later"
+    graphs = optional_module("scipy.sparse.csgraph", purpose, "maximum_flow")
+    csr_matrix = optional_module("scipy.sparse", purpose).csr_matrix
     amounts = np.zeros(len(tails), np.int64) if start is None else np.array(start, np.int64)
     both = np.concatenate([tails, heads]), np.concatenate([heads, tails])
     room = np.concatenate([capacities - amounts, amounts]).astype(np.int32)
     left = csr_matrix((room, both), shape=(nodes, nodes))
     left.eliminate_zeros()
-    found = maximum_flow(left, nodes - 2, nodes - 1)
+    found = graphs.maximum_flow(left, nodes - 2, nodes - 1)
     more = found.flow if hasattr(found, "flow") else found.residual  # the name before scipy 1.9
     amounts += np.asarray(more[tails, heads]).ravel()
     rest = csr_matrix(left - more)
     rest.eliminate_zeros()
     reached = np.zeros(nodes, bool)
-    reached[breadth_first_order(rest, nodes - 2, return_predecessors=False)] = True
+    reached[graphs.breadth_first_order(rest, nodes - 2, return_predecessors=False)] = True
     return Flow(amounts, int(amounts[heads == nodes - 1].sum()), reached)
 
 

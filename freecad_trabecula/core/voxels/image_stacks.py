@@ -15,7 +15,8 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ...errors import DependencyError, ExportError, ParameterError
+from ...errors import ExportError, ParameterError
+from ..optional_packages import optional_module
 from ..parameters import require
 from ..progress import Progress, silent
 from ..stl import whole_file
@@ -24,17 +25,12 @@ from .volume_files import Volume
 KINDS = ("png", "bmp", "tiff")
 READ = (".png", ".tif", ".tiff", ".bmp")
 MATERIAL, VOID = 255, 0
-INSTALL = "python3 -m pip install pillow"
 _INCH = 25.4  # mm
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def _pillow() -> Any:
-    try:
-        from PIL import Image
-    except ImportError as error:
-        raise DependencyError(f"images of this kind need Pillow: {INSTALL}") from error
-    return Image
+    return optional_module("PIL.Image", "images of this kind need Pillow")
 
 
 def layer_image(layer: np.ndarray) -> np.ndarray:

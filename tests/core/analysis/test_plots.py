@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import builtins
+import sys
 import warnings
 from dataclasses import replace
 
@@ -139,14 +139,7 @@ def test_spoilt_slices_are_marked(measured):
 
 
 def test_without_matplotlib_the_message_says_how_to_get_it(monkeypatch):
-    original = builtins.__import__
-
-    def without(name, *more, **named):
-        if name.split(".")[0] == "matplotlib":
-            raise ImportError(name)
-        return original(name, *more, **named)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
     with pytest.raises(DependencyError, match="pip install matplotlib"):
         plots.new_figure(1, 1)
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import builtins
+import sys
 
 import pytest
 
@@ -44,14 +44,7 @@ def test_the_columns_hold_what_the_thesis_says(measured, tmp_path):
 
 
 def test_without_openpyxl_the_message_says_how_to_get_it(measured, tmp_path, monkeypatch):
-    original = builtins.__import__
-
-    def without(name, *more, **named):
-        if name.split(".")[0] == "openpyxl":
-            raise ImportError(name)
-        return original(name, *more, **named)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setitem(sys.modules, "openpyxl", None)
     with pytest.raises(DependencyError, match="pip install openpyxl"):
         write_workbook(tmp_path / "a.xlsx", measured.profiles, measured.measures)
     assert list(tmp_path.iterdir()) == []

@@ -77,5 +77,5 @@ def test_a_cut_is_told_by_its_layers():
 
 def test_without_scipy_it_says_what_is_missing(monkeypatch):
     monkeypatch.setitem(sys.modules, "scipy.sparse", None)
-    with pytest.raises(DependencyError, match="need scipy 1.6 or later: pip install scipy"):
+    with pytest.raises(DependencyError, match="need scipy 1.6 or later; install it with: .*pip install scipy"):
         completed_table(np.ones(1, int), np.ones(1, int), np.ones((1, 1), int))
