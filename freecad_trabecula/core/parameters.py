@@ -121,7 +121,8 @@ class Coupling:
     second: str = _f("", "", "Face at which they end")
     association: str = _f("random", "", "random pairs of sites, or site (i, j) to site (i, j)", choices=ASSOCIATIONS)
     reuse: bool = _f(False, "", "Sites that earlier couplings used may be used again")
-    limit: int = _f(0, "", "Greatest number of rods; 0 means as many as the smaller face has sites", low=0)
+    limit: int = _f(0, "", "Greatest number of rods; 0 means as many as the smaller face has sites", low=0,
+                    automatic=0)  # fmt: skip
     on: bool = _f(True, "", "Off: the coupling makes no rods")
     path: Optional[PathParameters] = _f(None, "", "Paths of this coupling; none means those of the design")
 
@@ -233,7 +234,10 @@ class RodParameters:
     """How rods are skinned and mended (thesis 3.3.5, 4.2.4)."""
 
     deflection: float = _f(
-        0.0, "mm", "Greatest distance of the triangles from the true rod; 0 chooses 1/40 of the mean size"
+        0.0,
+        "mm",
+        "Greatest distance of the triangles from the true rod; 0 chooses 1/40 of the mean size",
+        automatic=0.02,
     )
     stations: int = _f(5, "", "Sections through which the surface of a solid rod is laid", low=3, high=33)
     lean: float = _f(0.0, "", "Tilt of the inner sections towards the path's normal planes", low=0.0, high=1.0)

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 from typing import Any, Callable, Optional, Sequence, Tuple
 
+import FreeCAD
 from PySide import QtGui
 
 from ..core.parameters import Point
 from .language import choice
 from .qt import quantity_box, set_length
 
+translate = FreeCAD.Qt.translate
 Changed = Callable[[], None]
 _WIDE, _NARROW = 88, 60  # pixels: a length needs room for its unit
 
@@ -70,12 +72,14 @@ class NumberField(Field):
 
 
 class WholeField(Field):
-    """A whole number."""
+    """A whole number; the least one may mean that the design finds it."""
 
-    def __init__(self, low: int, high: int, changed: Changed, tip: str = "") -> None:
+    def __init__(self, low: int, high: int, changed: Changed, tip: str = "", is_automatic: bool = False) -> None:
         box = QtGui.QSpinBox()
         super().__init__(box, tip)
         box.setRange(low, high)
+        if is_automatic:
+            box.setSpecialValueText(translate("Trabecula", "automatic"))
         box.setMinimumWidth(_NARROW)
         box.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
         box.valueChanged.connect(lambda *_: changed())
@@ -190,6 +194,48 @@ class OptionalPointField(Field):
         self.switch.set_value(value is not None)
         if value is not None:
             self.point.set_value(value)
+
+
+class AutomaticField(Field):
+    """A value that is found by the design unless its switch is off.
+
+    Parameters
+    ----------
+    field : Field
+        Of the value itself.
+    automatic : value
+        What stands for "found by the design" in the parameters.
+    start : value
+        Shown first when the switch is put off.
+    """
+
+    def __init__(self, field: Field, automatic: Any, start: Any, changed: Changed, tip: str = "") -> None:
+        super().__init__(row_widget(), tip)
+        self.field, self._automatic, self._start, self._has_own = field, automatic, start, False
+        self.switch = SwitchField(lambda: None, tip, translate("Trabecula", "automatic"))
+        self.switch.set_value(True)
+        self.switch.widget.toggled.connect(self._show)
+        self.switch.widget.toggled.connect(lambda *_: changed())
+        field.widget.setVisible(False)
+        self.widget.layout().addWidget(self.switch.widget)
+        self.widget.layout().addWidget(field.widget, 1)
+
+    def _show(self, is_automatic: bool) -> None:
+        self.field.widget.setVisible(not is_automatic)
+        if not is_automatic and not self._has_own:
+            self._has_own = True
+            self.field.set_value(self._start)
+
+    def value(self) -> Any:
+        """Return the value; that which stands for "found by the design" if it is automatic."""
+        return self._automatic if self.switch.value() else self.field.value()
+
+    def set_value(self, value: Any) -> None:
+        """Show a value."""
+        if value != self._automatic:
+            self._has_own = True
+            self.field.set_value(value)
+        self.switch.set_value(value == self._automatic)
 
 
 def offer_words(words: Sequence[str], box: Any) -> None:

@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 from ..core.laws import Law
 from ..core.parameters import Point
 from .fields import (
+    AutomaticField,
     Changed,
     ChoiceField,
     Field,
@@ -56,7 +57,7 @@ def field_for(cls: type, name: str, changed: Changed, step: float = 0.1) -> Fiel
     if hint is str:
         return ChoiceField(meta["choices"], changed, tip) if "choices" in meta else TextField(changed, tip)
     if hint is int:
-        return WholeField(meta.get("low", 0), meta.get("high", _MOST), changed, tip)
+        return WholeField(meta.get("low", 0), meta.get("high", _MOST), changed, tip, "automatic" in meta)
     makers: Dict[Any, Callable[[], Field]] = {
         Law: lambda: LawField(unit, step, changed, tip),
         bool: lambda: SwitchField(changed, tip),
@@ -64,7 +65,8 @@ def field_for(cls: type, name: str, changed: Changed, step: float = 0.1) -> Fiel
         Point: lambda: PointField(unit, step, changed, tip),
         Optional[Point]: lambda: OptionalPointField(unit, step, changed, tip),
     }
-    return makers[hint]()
+    made = makers[hint]()
+    return AutomaticField(made, declared.default, meta["automatic"], changed, tip) if "automatic" in meta else made
 
 
 class Form(QtGui.QWidget):

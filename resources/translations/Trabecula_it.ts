@@ -8322,6 +8322,11 @@
         <translation>richiesti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/fields.py"/>
+        <source>automatic</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/recomputing.py"/>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
         <source>being computed</source>

@@ -21,6 +21,7 @@ from freecad_trabecula.core.parameters import (
     SiteEdit,
 )
 from freecad_trabecula.core.presets import PRESETS, preset
+from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.errors import ParameterError
 from freecad_trabecula.gui.design_form import IN_DOCUMENT, Callbacks, DesignForm, Envelope
 from freecad_trabecula.gui.faces_section import FacesSection
@@ -76,6 +77,26 @@ class RoundTripTest(unittest.TestCase):
                 field = LawField("mm", 0.05, nothing)
                 field.set_value(law)
                 self.assertEqual(field.value(), law)
+
+    def test_what_the_design_finds_by_itself_is_called_automatic_and_not_shown_as_a_number(self):
+        for name, own in (("wavelength", (1.0, 2.0, 3.0)), ("rods", 0.7)):
+            with self.subTest(field=name):
+                changes = []
+                field = field_for(VoxelParameters, name, lambda changes=changes: changes.append(1))
+                automatic = getattr(VoxelParameters(), name)
+                self.assertEqual(field.value(), automatic)
+                self.assertTrue(field.field.widget.isHidden())
+                field.switch.set_value(False)
+                self.assertFalse(field.field.widget.isHidden())
+                self.assertNotEqual(field.value(), automatic)
+                VoxelParameters(**{name: field.value()})  # what an own value starts with is allowed
+                self.assertTrue(changes)
+                field.set_value(own)
+                self.assertEqual((field.value(), field.switch.value()), (own, False))
+                field.switch.set_value(True)
+                self.assertEqual(field.value(), automatic)
+        whole = field_for(Coupling, "limit", nothing)
+        self.assertEqual((whole.widget.text(), whole.value()), ("automatic", 0))
 
     def test_a_third_of_a_millimetre_is_not_rounded_by_being_shown(self):
         field = NumberField("mm", 0.1, nothing)

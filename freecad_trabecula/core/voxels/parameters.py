@@ -49,8 +49,8 @@ class VoxelParameters:
                          "thesis' random layers", choices=CORRECTIONS)  # fmt: skip
     total: str = _f("mean", "", "Which axis' real total is the common one (thesis: z)", choices=TOTALS)
 
-    cap_alpha: int = _f(0, "", "Most voxels in a line (x, z), thesis 6.2.4.3; 0 means M", low=0)
-    cap_beta: int = _f(0, "", "Most voxels in a line (y, z); 0 means N", low=0)
+    cap_alpha: int = _f(0, "", "Most voxels in a line (x, z), thesis 6.2.4.3; 0 means M", low=0, automatic=0)
+    cap_beta: int = _f(0, "", "Most voxels in a line (y, z); 0 means N", low=0, automatic=0)
     solver: str = _f("proportional", "", "How a row of a table is drawn: in proportion to what the columns still need, "
                      "or uniformly as in the thesis", choices=SOLVERS)  # fmt: skip
     pairing: str = _f("constraint", "", "Compatible tables by construction, or by the thesis' try-and-repeat",
@@ -62,9 +62,10 @@ class VoxelParameters:
                     choices=FIELDS)  # fmt: skip
 
     wavelength: Triple = _f((0.0, 0.0, 0.0), "mm", "Wavelengths of the trabecular texture along X, Y, Z; 0: fitted to "
-                            "the sample, or eight voxels without one")  # fmt: skip
+                            "the sample, or eight voxels without one",
+                            automatic=(0.8, 0.8, 0.8))  # fmt: skip
     rods: float = _f(-1.0, "", "0 makes sheets, 1 makes rods of the texture; -1: fitted to the sample, or 0.3 without "
-                     "one", low=-1.0, high=1.0)  # fmt: skip
+                     "one", low=-1.0, high=1.0, automatic=0.3)  # fmt: skip
     contacts: str = _f("edge", "", "Contacts that are avoided: none by an edge alone, or none by an edge or a corner "
                        "alone; any: all are allowed", choices=CONTACTS)  # fmt: skip
     thickness: int = _f(1, "", "Least thickness in voxels", low=1, high=9)
