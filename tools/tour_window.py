@@ -156,10 +156,10 @@ def walk_measure(walk):
     """Two specimens of one bone are measured and compared."""
     from freecad_trabecula.gui.analysis_dock import dock_of_window
 
-    with mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda *_: (str(BONES / "shrew_bone_a.ply"), "")):
-        walk.click("file")
+    walk.bring("shrew_bone_a.ply")
+    walk.tell_step("file", "A specimen of bone of 4 mm: `resources/examples/shrew_bone_a.ply`.")
+    walk.click("analyse")
     walk.wait(seconds=1.0)
-    walk.tell_step("file", "The panel of the analysis opens with the file.")
     walk.ok()
     walk.until("analyse")
     walk.tell_step("analyse", "240 slices in a moment; the tree keeps the analysis, which follows its file or body.")
@@ -168,10 +168,10 @@ def walk_measure(walk):
     walk.wait(seconds=0.5)
     walk.tell_step("plots", "*Areas* shows every contour of every slice: rods are blue, plates orange.")
     dock_of_window().tabs.setCurrentIndex(0)
-    walk.bring("shrew_bone_b.ply")
+    walk.bring("shrew_bone_b.ply", 6.0)
     walk.click("second")
     walk.until("second")
-    walk.tell_step("second", "A mesh of the document is measured at once; without one a file is asked for.")
+    walk.tell_step("second", "A second specimen is brought in, and measured in the same way at once.")
     walk.click("compare")
     walk.until("compare")
     dock_of_window().tabs.setCurrentIndex(dock_of_window().tabs.count() - 1)

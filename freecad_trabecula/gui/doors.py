@@ -109,10 +109,10 @@ def _worst(analyses: List[Any], least: int) -> str:
     return next((state for state in states if state != DONE), DONE)
 
 
-def _measure(stages: Stages) -> Click:
-    """Measure the next body that is not measured yet; a file if there is none."""
+def _measure(stages: Stages, without: str = "Trabecula_MeasureFile") -> Click:
+    """Measure the next body that is not measured yet; without one ask for a file by another command."""
     bones = stages.bones
-    return ("Trabecula_AnalyseNow", bones[:1]) if bones else ("Trabecula_MeasureFile", [])
+    return ("Trabecula_AnalyseNow", bones[:1]) if bones else (without, [])
 
 
 def _first_body(stages: Stages) -> List[Any]:
@@ -209,9 +209,10 @@ def _measures() -> Tuple[Step, ...]:
         Step(
             "file",
             translate("Trabecula", "Take a bone or a design"),
-            translate("Trabecula", "A mesh file (STL, OBJ, PLY, 3MF), or a mesh or solid of the document."),
+            translate("Trabecula", "A click brings in a mesh or a solid from a file; one of the document will do as "
+                      "well."),
             lambda on, seen: _if(on.analyses or _first_body(on)),
-            lambda on: ("Trabecula_MeasureFile", []),
+            lambda on: ("Trabecula_Body", []),
         ),
         Step(
             "analyse",
@@ -231,9 +232,9 @@ def _measures() -> Tuple[Step, ...]:
         Step(
             "second",
             translate("Trabecula", "Measure another"),
-            translate("Trabecula", "Another bone, or a design: what is compared needs two analyses."),
+            translate("Trabecula", "Another bone, or a design: a click brings it in, the next one measures it."),
             lambda on, seen: _worst(on.analyses, 2),
-            lambda on: _measure(on) if on.analyses else None,
+            lambda on: _measure(on, "Trabecula_Body") if on.analyses else None,
         ),
         _compare(lambda on: tuple(on.analyses[:2]) if len(on.analyses) > 1 else (None, None)),
         _export(lambda on: ("Trabecula_SaveAnalyses", on.analyses) if on.analyses else None),

@@ -6169,14 +6169,14 @@
         <translation>30 bis 75 s je Stab, nach Krümmung und Querschnitten (Dissertation 2.3.3)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>A click brings in a mesh or a solid from a file; one of the document will do as well.</source>
+        <translation>Ein Klick holt ein Netz oder einen Volumenkörper aus einer Datei; eines aus dem Dokument genügt ebenso.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>A further direction: as if the part were turned</source>
         <translation>Eine weitere Richtung: als wäre das Teil gedreht</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/gui/doors.py"/>
-        <source>A mesh file (STL, OBJ, PLY, 3MF), or a mesh or solid of the document.</source>
-        <translation>Eine Netzdatei (STL, OBJ, PLY, 3MF) oder ein Netz oder Volumenkörper des Dokuments.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6245,8 +6245,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
-        <source>Another bone, or a design: what is compared needs two analyses.</source>
-        <translation>Ein weiterer Knochen oder ein Entwurf: zum Vergleich braucht es zwei Analysen.</translation>
+        <source>Another bone, or a design: a click brings it in, the next one measures it.</source>
+        <translation>Ein weiterer Knochen oder ein Entwurf: ein Klick holt ihn herein, der nächste vermisst ihn.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>

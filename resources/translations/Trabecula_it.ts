@@ -6169,14 +6169,14 @@
         <translation>da 30 a 75 s per asta, secondo curvatura e sezioni (tesi 2.3.3)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/doors.py"/>
+        <source>A click brings in a mesh or a solid from a file; one of the document will do as well.</source>
+        <translation>Un clic importa una mesh o un solido da un file; va bene anche uno del documento.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
         <source>A further direction: as if the part were turned</source>
         <translation>Un'altra direzione: come se il pezzo fosse ruotato</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/gui/doors.py"/>
-        <source>A mesh file (STL, OBJ, PLY, 3MF), or a mesh or solid of the document.</source>
-        <translation>Un file di mesh (STL, OBJ, PLY, 3MF), o una mesh o un solido del documento.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6245,8 +6245,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
-        <source>Another bone, or a design: what is compared needs two analyses.</source>
-        <translation>Un altro osso, o un progetto: per confrontare servono due analisi.</translation>
+        <source>Another bone, or a design: a click brings it in, the next one measures it.</source>
+        <translation>Un altro osso, o un progetto: un clic lo importa, il successivo lo misura.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>

@@ -55,6 +55,11 @@ class GuideCase(WindowTest):
         found = wait(lambda: self.marks().get(name) == mark, seconds)
         self.assertTrue(found, f"{name} is {self.marks().get(name)}, dialogs: {self.dialogs}")
 
+    def click_of(self, name):
+        """Return the name of the command that a click on a step runs."""
+        self.guide.look()
+        return next(row.shown.click[0] for row in self.guide.rows if row.shown.step.name == name and not row.isHidden())
+
     def add_bone(self):
         bone = self.document.addObject("Mesh::Feature", "Bone")
         bone.Mesh = Mesh.Mesh(BONE)
@@ -232,15 +237,21 @@ class RodsDoorTest(GuideCase):
 class MeasureDoorTest(GuideCase):
     def test_from_a_file_to_a_comparison_and_tables(self):
         self.begin("measure")
-        with mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda *_: (BONE, "")):
-            self.click("file")
+        self.add_bone()  # as FreeCAD's import does, which the step's command calls
+        self.document.recompute()
+        self.wait_for("file")
+        self.click("analyse")
         panels.current().accept()
         self.wait_for("analyse")
         self.assertEqual(self.marks()["plots"], DONE)  # the panel opened them
+        self.assertEqual(self.click_of("second"), "Trabecula_Body")
         self.add_bone()
         self.document.recompute()
+        self.assertEqual(self.click_of("second"), "Trabecula_AnalyseNow")
         self.click("second")
         self.wait_for("second")
+        sources = [obj.Source for obj in self.document.Objects if hasattr(obj, "SliceVolume")]
+        self.assertEqual(len(set(sources)), 2)
         self.click("compare")
         self.wait_for("compare")
         without_plots = mock.patch.object(analysis_saving.importlib.util, "find_spec", lambda _: None)
@@ -258,7 +269,7 @@ class MeasureDoorTest(GuideCase):
             path = os.path.join(folder, "wrong.stl")
             Path(path).write_text("this is no mesh", encoding="utf-8")
             with mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda *_: (path, "")):
-                self.click("file")
+                FreeCADGui.runCommand("Trabecula_MeasureFile")
             panels.current().accept()
             self.assertTrue(wait(lambda: self.dialogs, 60))
         self.assertEqual(self.names(), [])
