@@ -67,10 +67,10 @@ def build(panel, *kinds):
     for kind, box in panel.build_bar.boxes.items():
         box.setChecked(kind in kinds)
     panel.build()
-    wait(lambda: panel.build_bar.bar.value() > 100 or not panel._open, 120)
-    if panel._open:
+    wait(lambda: panel.build_bar.bar.value() > 100 or not panel.is_open, 120)
+    if panel.is_open:
         shoot(CHOICE["part"] + "-building")
-    wait(lambda: not panel._open, 800)
+    wait(lambda: not panel.is_open, 800)
     wait(lambda: panels.current() is not panel, 10)
     wait(seconds=1.0)
     if panels.current() is panel:

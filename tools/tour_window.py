@@ -74,7 +74,7 @@ class Walk:
         """Press OK and wait for the panel to close."""
         panel = self.panels.current()
         panel.accept()
-        self.wait(lambda: not panel._open, seconds)
+        self.wait(lambda: not panel.is_open, seconds)
 
     def bring(self, file, x=0.0):
         """Bring a mesh in, as *Body from a file* does once FreeCAD has asked for it."""

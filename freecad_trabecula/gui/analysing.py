@@ -12,7 +12,7 @@ from ..features.analysis import Analysis, Inputs
 from ..features.analysis_makers import default_parameters, design_envelope
 from ..features.analysis_source import file_source, object_source
 from ..features.tasks import write_analysis_task
-from .document_work import Order, work_at_once, write_step
+from .document_work import Order, check_present, work_at_once, write_step
 from .preferences import new_slices
 
 
@@ -50,6 +50,7 @@ class Wish(NamedTuple):
         TrabeculaError
             If there is nothing to slice.
         """
+        check_present(self.document, (self.source, self.envelope))
         document = FreeCAD.getDocument(self.document)
         body = object_source(document.getObject(self.source)) if self.source else file_source(self.file)
         envelope = object_source(document.getObject(self.envelope)) if self.envelope else None
@@ -65,8 +66,9 @@ class Wish(NamedTuple):
         """
         inputs = self.inputs()
         return Order(
-            self.document, Analysis.KIND, inputs.key, lambda folder: write_analysis_task(folder, inputs), self.write
-        )
+            self.document, Analysis.KIND, inputs.key, lambda folder: write_analysis_task(folder, inputs), self.write,
+            (self.source, self.envelope, self.analysis),
+        )  # fmt: skip
 
     def write(self) -> Any:
         """Write the analysis, which is at hand, into the document in one step; return the object."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Set
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence
 
 import FreeCAD
 import Part
@@ -17,14 +17,10 @@ from ..errors import Cancelled, DependencyError, KernelError, TrabeculaError
 from ..features.relations import products_of, type_of
 from ..features.tasks import write_job_task
 from . import transactions
-from .child_work import ChildWork, Progress, task_work
+from .child_work import ChildWork, Progress, start_task
 from .install import PACKAGE
 from .qt import invoke_later
 from .transactions import record
-
-#: Works that have not ended yet: a cancelled one lives on here until its process is gone.
-_works: Set[ChildWork] = set()
-
 
 #: The design that is being written: a step to undo that another document opens meanwhile would cut this one in two.
 _open_writings: List[Any] = []
@@ -76,14 +72,12 @@ class Building:
         prism = self._job.prism
         shape = solid if solid is not None else Part.makeBox(prism.l, prism.w, prism.h)
         kinds = self._kinds or ("wireframe",)
-        work = task_work(lambda folder: write_job_task(folder, self._job, shape, kinds))
-        work.progressed.connect(self._listener.progressed)
-        work.succeeded.connect(self._take)
-        work.failed.connect(self._fail)
-        work.process.finished.connect(lambda *_: _works.discard(work))
-        _works.add(work)
-        self._work = work
-        work.start()
+        self._work = start_task(
+            lambda folder: write_job_task(folder, self._job, shape, kinds),
+            self._listener.progressed,
+            self._take,
+            self._fail,
+        )
 
     def cancel(self) -> None:
         """End the work; nothing has changed and nothing is heard of it any more."""

@@ -9,7 +9,7 @@ import shutil
 import tempfile
 import time
 from pathlib import Path
-from typing import Any, Callable, List, Mapping, NamedTuple, Optional
+from typing import Any, Callable, List, Mapping, NamedTuple, Optional, Set
 
 import FreeCAD
 from PySide import QtCore
@@ -36,6 +36,8 @@ class Progress(NamedTuple):
 class ChildWork(QtCore.QObject):
     """Runs ``run(options, report)`` of a module of ours under FreeCAD's console program.
 
+    Once started it lives until its process is gone, whoever has forgotten it by then.
+
     Parameters
     ----------
     module : str
@@ -49,6 +51,7 @@ class ChildWork(QtCore.QObject):
     #: The work was done; the folder still holds the results.
     succeeded = QtCore.Signal(str)
     failed = QtCore.Signal(str)
+    _running: Set[ChildWork] = set()
 
     def __init__(self, module: str, options: Mapping[str, Any], folder: str) -> None:
         super().__init__()
@@ -81,7 +84,12 @@ class ChildWork(QtCore.QObject):
         DependencyError
             If FreeCAD's console program is not found.
         """
-        words = console_program()
+        try:
+            words = console_program()
+        except TrabeculaError:
+            shutil.rmtree(self._folder, ignore_errors=True)
+            raise
+        ChildWork._running.add(self)
         self._ticks.start(_TICK)
         self.process.start(words[0], [*words[1:], START])
 
@@ -136,22 +144,42 @@ class ChildWork(QtCore.QObject):
             else:
                 FreeCAD.Console.PrintLog("\n".join(self._chatter) + "\n")
                 self.failed.emit(self._error or "FreeCAD's console program ended before its work was done")
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._end()
 
     def _not_started(self, error: Any) -> None:
         self._ticks.stop()
-        if error == QtCore.QProcess.FailedToStart and not self._silent:
+        if error == QtCore.QProcess.FailedToStart:
+            QtCore.QTimer.singleShot(0, self._tell_not_started)  # Windows knows it within ``start``
+
+    def _tell_not_started(self) -> None:
+        if not self._silent:
             self.failed.emit(f"FreeCAD's console program could not be started: {self.process.errorString()}")
-            shutil.rmtree(self._folder, ignore_errors=True)
+        self._end()
+
+    def _end(self) -> None:
+        shutil.rmtree(self._folder, ignore_errors=True)
+        QtCore.QTimer.singleShot(0, lambda: ChildWork._running.discard(self))  # not within its own signal
 
 
-def task_work(prepare: Callable[[str], None]) -> ChildWork:
-    """Return the work, not yet started, of a task that ``prepare(folder)`` writes.
+def start_task(
+    prepare: Callable[[str], None],
+    progressed: Callable[[Progress], None],
+    succeeded: Callable[[str], None],
+    failed: Callable[[str], None],
+) -> ChildWork:
+    """Start the work of a task and return it.
+
+    Parameters
+    ----------
+    prepare : callable
+        Writes the task into the folder that it takes.
+    progressed, succeeded, failed : callable
+        Called by the signals of ``ChildWork``, until it is cancelled.
 
     Raises
     ------
     TrabeculaError
-        What ``prepare`` raises; the folder is removed then.
+        What ``prepare`` raises, or that the process cannot be started; the folder is removed then.
     """
     folder = tempfile.mkdtemp(prefix="trabecula-")
     try:
@@ -162,7 +190,12 @@ def task_work(prepare: Callable[[str], None]) -> ChildWork:
     except OSError as error:
         shutil.rmtree(folder, ignore_errors=True)
         raise KernelError(f"the work could not be handed over in {folder}: {error}") from error
-    return ChildWork("freecad_trabecula.shell.worker", {"folder": folder}, folder)
+    work = ChildWork("freecad_trabecula.shell.worker", {"folder": folder}, folder)
+    work.progressed.connect(progressed)
+    work.succeeded.connect(succeeded)
+    work.failed.connect(failed)
+    work.start()
+    return work
 
 
 def console_program() -> List[str]:

@@ -115,6 +115,11 @@ class DesignEnvelope:
             self._copy = shape.hashCode(), shape.copy()
         return self._copy[1]
 
+    def forget(self) -> None:
+        """Take a new prism in the place of the object, which is being deleted."""
+        self.source.cancel()
+        self.obj, self._pending, self._opened, self._copy = None, None, "", (None, None)
+
     def cancel(self, is_kept: bool) -> None:
         """Stop reading; unless it is kept, what was read goes from the document again."""
         self.source.cancel()

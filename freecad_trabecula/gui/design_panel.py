@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, Optional, Sequence, Tuple, Union
 
 import FreeCAD
 import FreeCADGui
@@ -23,8 +23,9 @@ from .outcome import Outcome
 from .picking import FacePicker
 from .preview import Preview
 from .preview_worker import Estimate, Outline, PreviewWorker, Request
-from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
+from .qt import Buttons, PanelForm, invoke_later
 from .results_panel import open_results
+from .task_panels import DocumentPanel, while_open
 from .transactions import told
 from .transparency import ClearView
 
@@ -33,7 +34,7 @@ WIDTH = 400  # pixels that the form needs
 DRAG_PAUSE = 30  # ms from a change to its preview: a burst of signals is one change
 
 
-class DesignPanel:
+class DesignPanel(DocumentPanel):
     """A task panel on one document.
 
     Parameters
@@ -46,13 +47,14 @@ class DesignPanel:
         The design that is to be changed; None means a new one.
     """
 
+    BUTTONS = (Buttons.Ok, Buttons.Cancel)
+
     def __init__(self, document: Any, job: Job, envelope: Any = None, wireframe: Any = None) -> None:
-        self.document, self.wireframe = document, wireframe
-        self.body = DesignEnvelope(
-            document, envelope, wireframe is not None, self._envelope_ready, self._envelope_refused
-        )
-        self._open = True
-        self._building: Optional[Building] = None
+        super().__init__(document, WIDTH)
+        self.wireframe = wireframe
+        self.body = DesignEnvelope(document, envelope, wireframe is not None, self._envelope_ready, self._refuse)
+        self._is_kept = False
+        self._building: Union[Building, Writing, None] = None
         self._wanted: Optional[Job] = None
         self._drawn: Optional[Job] = None
         self._seen = False
@@ -68,19 +70,18 @@ class DesignPanel:
         self.worker = PreviewWorker()
         self.worker.drawn.connect(self._show_outline)
         self.worker.estimated.connect(self._show_estimate)
-        self.worker.refused.connect(self.outcome.show_error)
-        self._pause = QtCore.QTimer(self.form)
+        self.worker.refused.connect(self._refuse)
+        self._pause = QtCore.QTimer()
         self._pause.setSingleShot(True)
         self._pause.setInterval(DRAG_PAUSE)
         self._pause.timeout.connect(self._request)
-        FreeCAD.addDocumentObserver(self)
+        self.begin()
         self.fields.set_envelopes(self.body.offered(), envelope.Name if envelope else "", self.body.is_fixed)
         if envelope is None:
             self.set_job(job)
         else:
             self.fields.set_job(job)
             self.body.begin()
-        invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
         form = PanelForm(translate("Trabecula", "Design rods"), "Trabecula_design", "commands/Design.md")
@@ -108,15 +109,15 @@ class DesignPanel:
         """The object to be filled; None for a new prism."""
         return self.body.obj
 
+    @while_open
     def _take_envelope(self, name: str) -> None:
         self.picker.stop()
         self.outcome.show_busy(translate("Trabecula", "Checking the envelope …"))
         with told():
             self.body.choose(name)
 
+    @while_open
     def _envelope_ready(self) -> None:
-        if not self._open:
-            return
         self.fields.set_envelopes(self.body.offered(), self.envelope.Name if self.envelope else "", self.body.is_fixed)
         if self.envelope is not None and self.envelope.TypeId == "Part::Box" and self.wireframe is None:
             edges = (self.envelope.Length.Value, self.envelope.Width.Value, self.envelope.Height.Value)
@@ -127,9 +128,9 @@ class DesignPanel:
         self._seen = False
         self._changed()
 
-    def _envelope_refused(self, text: str) -> None:
-        if self._open:
-            self.outcome.show_error(text)
+    @while_open
+    def _refuse(self, text: str) -> None:
+        self.outcome.show_error(text)
 
     def _hidden(self) -> Sequence[Any]:
         """What the preview stands for: the design's own objects."""
@@ -162,8 +163,9 @@ class DesignPanel:
         if not self._pause.isActive():  # started anew by each change it would never end while a value is dragged
             self._pause.start()
 
+    @while_open
     def _request(self) -> None:
-        if not self._open or not self.body.is_ready:
+        if not self.body.is_ready:
             return
         try:
             job = self.fields.job()
@@ -175,14 +177,14 @@ class DesignPanel:
         self.outcome.show_busy()
         self.worker.request(Request(job, self.body.solid(job)))
 
+    @while_open
     def _show_outline(self, outline: Outline) -> None:
-        if self._open:
-            if not self._seen:
-                self._first_look()
-            self._drawn = outline.job
-            self.preview.show(outline.drawing)
-            self.fields.show_counts(outline.rows, outline.counts)
-            self.outcome.show_outline(outline)
+        if not self._seen:
+            self._first_look()
+        self._drawn = outline.job
+        self.preview.show(outline.drawing)
+        self.fields.show_counts(outline.rows, outline.counts)
+        self.outcome.show_outline(outline)
 
     def _first_look(self) -> None:
         """Turn the view of an empty document to the preview."""
@@ -190,16 +192,20 @@ class DesignPanel:
         view = view_of(self.document)
         if len(self.document.Objects) <= 1:
             view.viewIsometric()
-        # once the drawing is in the scene
-        invoke_later(view.fitAll)
+        invoke_later(lambda: self._fit(view))  # once the drawing is in the scene
 
+    @while_open
+    def _fit(self, view: Any) -> None:
+        view.fitAll()
+
+    @while_open
     def _show_estimate(self, estimate: Estimate) -> None:
-        if self._open:
-            self.outcome.show_estimate(estimate)
-            self.build_bar.show_estimate(estimate.work)
+        self.outcome.show_estimate(estimate)
+        self.build_bar.show_estimate(estimate.work)
 
+    @while_open
     def _show_parts(self) -> None:
-        if self._open and hasattr(self, "preview"):
+        if hasattr(self, "preview"):
             self.preview.set_visible(box=self.envelope is None, **self.outcome.shown())
             self.preview.set_colouring(self.outcome.colouring.value())
             self.outcome.show_legend()
@@ -231,10 +237,6 @@ class DesignPanel:
 
     # ----------------------------------------------------------------------------------------------- task panel
 
-    def getStandardButtons(self) -> Any:
-        """Return the buttons above the form."""
-        return flags_of(Buttons.Ok, Buttons.Cancel)
-
     def accept(self) -> bool:
         """Keep the design; bodies that it has already are brought up to date in another process first."""
         kinds = [one.Proxy.KIND for one in products_of(self.wireframe)] if self.wireframe else []
@@ -244,28 +246,42 @@ class DesignPanel:
                 self._start(job, kinds)
                 return False
             # found at hand: the preview has computed it
-            listener = Listener(lambda _: None, self._close, self._not_built, self._clear_view.restore)
-            Writing(self._target(), job, (), listener).start()
+            if self._building is not None:
+                return False
+            listener = Listener(lambda _: None, self._keep, self._not_built, self._clear_view.restore)
+            self._building = Writing(self._target(), job, (), listener)
+            self._building.start()
         return False
 
-    def _close(self) -> None:
-        self._leave()
-        FreeCADGui.Control.closeDialog()
+    def _keep(self) -> None:
+        self._is_kept = True
+        self.close()
 
-    def reject(self) -> bool:
-        """Leave the document as it was."""
-        self.cancel()
-        self._leave(is_kept=False)
-        FreeCADGui.Control.closeDialog()
-        return True
+    def objects(self) -> Sequence[Any]:
+        """Return the design that is changed, and what it fills."""
+        return [self.wireframe, self.envelope] if self.wireframe is not None else []
 
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the panel when its document is closed (FreeCAD's observer protocol)."""
-        if self._open and document.Name == self.document.Name:
+    @while_open
+    def slotDeletedObject(self, obj: Any) -> None:
+        """Let go of an envelope that is deleted; a design needs its own (FreeCAD's observer protocol)."""
+        super().slotDeletedObject(obj)
+        if self.is_open and obj == self.envelope:
             self.cancel()
             self._clear_view.forget()
-            self._leave()
-            invoke_later(FreeCADGui.Control.closeDialog)
+            self.body.forget()
+            invoke_later(lambda: self._take_envelope(""))
+
+    def let_go(self, has_document: bool) -> None:
+        """Leave the document as it was, unless the design is kept."""
+        self._pause.stop()
+        self.worker.close()
+        self.picker.stop()
+        self.preview.close()
+        if not has_document:
+            self._clear_view.forget()
+        self.cancel()
+        self._clear_view.restore()
+        self.body.cancel(self._is_kept or not has_document)
 
     # ---------------------------------------------------------------------------------------------------- building
 
@@ -296,8 +312,12 @@ class DesignPanel:
         if self._building is not None:
             self._building.cancel()
             self._building = None
-            self._set_working(False)
-            self._clear_view.apply(self.envelope, self._hidden())
+            self._show_idle()
+
+    @while_open
+    def _show_idle(self) -> None:
+        self._set_working(False)
+        self._clear_view.apply(self.envelope, self._hidden())
 
     def _set_working(self, working: bool) -> None:
         (self.build_bar.show_working if working else self.build_bar.show_idle)()
@@ -308,34 +328,17 @@ class DesignPanel:
         self._building = None
         name = self.document.Name  # not the document: it may be closed by then
         tell_of(name, "", True)
-        self._leave()
-        FreeCADGui.Control.closeDialog()
+        self._keep()
         invoke_later(lambda: open_results(name))
 
+    @while_open
     def _not_built(self, error: TrabeculaError) -> None:
         self._building = None
-        if not self._open:
-            return
         tell_of(self.document.Name, "", False)
-        self._set_working(False)
-        self._clear_view.apply(self.envelope, self._hidden())
+        self._show_idle()
         self.outcome.show_error(str(error))
         with told():
             raise error
-
-    # ----------------------------------------------------------------------------------------------------- the end
-
-    def _leave(self, is_kept: bool = True) -> None:
-        if not self._open:
-            return
-        self._open = False
-        self._pause.stop()
-        self.worker.close()
-        self.picker.stop()
-        self.preview.close()
-        self._clear_view.restore()
-        self.body.cancel(is_kept)
-        FreeCAD.removeDocumentObserver(self)
 
 
 def view_of(document: Any) -> Any:

@@ -5,20 +5,20 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Set
+from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
 import FreeCAD
 
 from .. import make
-from ..errors import Cancelled, TrabeculaError
+from ..errors import Cancelled, ParameterError, TrabeculaError
 from ..features import results
 from ..features.relations import type_of
-from .child_work import ChildWork, task_work
+from .child_work import ChildWork, start_task
 from .notice import tell_of
 from .recomputing import WorkBar, document_label
 from .transactions import record, told, transaction
 
-_works: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
+translate = FreeCAD.Qt.translate
 
 
 class Order(NamedTuple):
@@ -33,6 +33,8 @@ class Order(NamedTuple):
         Takes the folder in which the other process finds its work.
     write : callable
         Writes the result, once it is at hand, into the document; returns the object.
+    needed : tuple of str
+        Names of the objects that ``write`` takes; empty ones count for none.
     """
 
     document: str
@@ -40,6 +42,24 @@ class Order(NamedTuple):
     key: str
     write_task: Callable[[str], None]
     write: Callable[[], Any]
+    needed: Tuple[str, ...] = ()
+
+
+def check_present(document: str, needed: Sequence[str]) -> None:
+    """Check that a document is open and has objects of some names; empty ones count for none.
+
+    Raises
+    ------
+    Cancelled
+        If the document was closed.
+    ParameterError
+        If an object was deleted.
+    """
+    if document not in FreeCAD.listDocuments():
+        raise Cancelled("the document was closed")
+    for name in filter(None, needed):
+        if FreeCAD.getDocument(document).getObject(name) is None:
+            raise ParameterError(translate("Trabecula", "{} was deleted meanwhile").format(name))
 
 
 class DocumentWork:
@@ -72,19 +92,13 @@ class DocumentWork:
         Raises
         ------
         TrabeculaError
-            If the work cannot be started.
+            If an object is not there any more, or the work cannot be started.
         """
+        check_present(self._order.document, self._order.needed)
         if results.find(self._order.kind, self._order.key) is not None:
             self._done(self._order.write())
             return
-        work = task_work(self._order.write_task)
-        work.progressed.connect(self._progressed)
-        work.succeeded.connect(self._take)
-        work.failed.connect(lambda text: self._failed(TrabeculaError(text)))
-        work.process.finished.connect(lambda *_: _works.discard(work))
-        _works.add(work)
-        self._work = work
-        work.start()
+        self._work = start_task(self._order.write_task, self._progressed, self._take, self._fail)
 
     def cancel(self) -> None:
         """End the work; nothing has changed and nothing is heard of it any more."""
@@ -96,11 +110,14 @@ class DocumentWork:
         self._work = None
         try:
             make.take_results(folder)
-            if self._order.document not in FreeCAD.listDocuments():
-                raise Cancelled("the document was closed")
+            check_present(self._order.document, self._order.needed)
             self._done(self._order.write())
         except TrabeculaError as error:
             self._failed(error)
+
+    def _fail(self, text: str) -> None:
+        self._work = None
+        self._failed(TrabeculaError(text))
 
 
 _current: Dict[str, DocumentWork] = {}  # by the document's name: each has its own

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-from typing import Any, Optional, Set
+from typing import Any, Optional
 
 import Part
 from PySide import QtCore
@@ -17,7 +17,6 @@ from .child_work import ChildWork
 from .envelope_child import ENVELOPE, SHAPE
 
 _MODULE = "freecad_trabecula.gui.envelope_child"
-_works: Set[ChildWork] = set()
 
 
 class EnvelopeSource(QtCore.QObject):
@@ -66,8 +65,6 @@ class EnvelopeSource(QtCore.QObject):
         work = ChildWork(_MODULE, {"folder": folder, "file": file, "solid": solid}, folder)
         work.succeeded.connect(lambda place: self._take(place, mark))
         work.failed.connect(self._fail)
-        work.process.finished.connect(lambda *_: _works.discard(work))
-        _works.add(work)
         self._work = work
         work.start()
 

@@ -60,7 +60,7 @@ def is_alive(widget: Any) -> bool:
     """Return whether the C++ half of a widget still exists: FreeCAD deletes panels when a document closes."""
     try:
         widget.objectName()
-    except RuntimeError:
+    except (RuntimeError, AttributeError):  # FreeCAD puts None in the place of a closed panel's form
         return False
     return True
 

@@ -6,7 +6,7 @@ The objects say "being computed" meanwhile and keep what they had; the status ba
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Set, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -20,13 +20,12 @@ from ..features.jobs import job_of
 from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
 from ..features.relations import wireframe_of
 from ..features.voxel_design import VoxelDesign
-from .child_work import ChildWork, Progress, progress_text, task_work
+from .child_work import ChildWork, Progress, progress_text, start_task
 from .notice import tell_of
 from .qt import invoke_later
 
 translate = FreeCAD.Qt.translate
 Owner = Tuple[str, str]  # names of document and wireframe, or analysis, or voxel design
-_ended: Set[ChildWork] = set()  # a cancelled one lives on here until its process is gone
 
 
 class Recomputing(QtCore.QObject):
@@ -82,18 +81,18 @@ class Recomputing(QtCore.QObject):
         objects = self._objects(owner)
         if owner in self._works or not objects:
             return
+        bar = WorkBar(lambda: self.cancel(owner), document_label(owner[0]))
         try:
-            work = task_work(lambda folder: make.write_task(folder, objects))
-            bar = WorkBar(lambda: self.cancel(owner), document_label(owner[0]))
-            work.progressed.connect(bar.show_progress)
-            work.succeeded.connect(lambda folder: self._take(owner, folder))
-            work.failed.connect(lambda text: self._fail(owner, text))
-            work.process.finished.connect(lambda *_: _ended.discard(work))
-            work.start()
+            work = start_task(
+                lambda folder: make.write_task(folder, objects),
+                bar.show_progress,
+                lambda folder: self._take(owner, folder),
+                lambda text: self._fail(owner, text),
+            )
         except TrabeculaError as error:
+            bar.close_bar()
             self._fail(owner, str(error))
             return
-        _ended.add(work)
         self._works[owner], self._bars[owner] = work, bar
         bar.show_start()
 

@@ -7,7 +7,6 @@ from html import escape
 from typing import Any, Sequence
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
 from .. import make
@@ -22,9 +21,9 @@ from .histogram import Histogram
 from .language import in_words, local_number
 from .looks import look_of
 from .outcome import GREEN, ORANGE, RED
-from .qt import Buttons, PanelForm, flags_of, icon, invoke_later, widen_dock
+from .qt import PanelForm, icon
 from .tables import fill, table
-from .task_panels import is_free, show_panel, wireframes
+from .task_panels import DocumentPanel, is_free, show_panel, while_open, wireframes
 from .transactions import told
 from .why import WhyButton, WhyTable
 
@@ -32,12 +31,12 @@ translate = FreeCAD.Qt.translate
 WIDTH = 420  # pixels that the form needs
 
 
-class ResultsPanel:
+class ResultsPanel(DocumentPanel):
     """A task panel on one wireframe and the bodies made of it."""
 
     def __init__(self, wireframe: Any) -> None:
-        self.wireframe, self._open = wireframe, True
-        self._document = wireframe.Document.Name
+        super().__init__(wireframe.Document, WIDTH)
+        self.wireframe = wireframe
         self.headline, self.notes = QtGui.QLabel(), QtGui.QLabel()
         self.notes.setWordWrap(True)
         self.figures, self.couplings, self.recoveries = table(3), table(5), table(5)
@@ -47,9 +46,8 @@ class ResultsPanel:
         self.histogram = Histogram(translate("Trabecula", "Size of the end sections, mm"))
         self.shown = QtGui.QWidget()
         self.form = self._make_form()
-        FreeCAD.addDocumentObserver(self)
+        self.begin()
         self.show()
-        invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
         form = PanelForm(translate("Trabecula", "Results"), "Trabecula_results", "commands/Results.md")
@@ -143,37 +141,15 @@ class ResultsPanel:
 
     # ------------------------------------------------------------------------------------------------- task panel
 
-    def getStandardButtons(self) -> Any:
-        """Return the buttons above the form."""
-        return flags_of(Buttons.Close)
+    def objects(self) -> Sequence[Any]:
+        """Return the design."""
+        return (self.wireframe,)
 
-    def reject(self) -> bool:
-        """Close the panel."""
-        self._leave()
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the panel when its document is closed (FreeCAD's observer protocol)."""
-        if self._open and document.Name == self._document:
-            self._leave()
-            invoke_later(FreeCADGui.Control.closeDialog)
-
-    def slotDeletedObject(self, obj: Any) -> None:
-        """Close the panel when its design goes, by undo for instance (FreeCAD's observer protocol)."""
-        if self._open and obj == self.wireframe:
-            self._leave()
-            invoke_later(FreeCADGui.Control.closeDialog)
-
+    @while_open
     def slotRecomputedObject(self, obj: Any) -> None:
         """Show the figures anew when an object has been computed again (FreeCAD's observer protocol)."""
-        if self._open and obj.Document.Name == self._document and obj in (self.wireframe, *products_of(self.wireframe)):
+        if obj.Document == self.document and obj in (self.wireframe, *products_of(self.wireframe)):
             self.show()
-
-    def _leave(self) -> None:
-        if self._open:
-            self._open = False
-            FreeCAD.removeDocumentObserver(self)
 
 
 def check_text(row: Checked) -> str:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Optional, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 import FreeCAD
 import FreeCADGui
@@ -16,9 +16,9 @@ from .edits_list import EditsList
 from .fields import ChoiceField, NumberField, PointField
 from .language import in_words
 from .pore_drawing import PoreDrawing
-from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
+from .qt import PanelForm
 from .rod_dock import computed_wireframe
-from .task_panels import is_free, show_panel
+from .task_panels import DocumentPanel, is_free, show_panel, while_open
 from .transactions import record, say, told, transaction
 
 translate = FreeCAD.Qt.translate
@@ -40,12 +40,12 @@ class SiteGate:
         return ok
 
 
-class SitePanel:
+class SitePanel(DocumentPanel):
     """A task panel on one wireframe; every press of a button is one step to undo."""
 
     def __init__(self, wireframe: Any) -> None:
-        self.obj, self._open = wireframe, True
-        self._names = (wireframe.Document.Name, wireframe.Name)
+        super().__init__(wireframe.Document, WIDTH)
+        self.obj = wireframe
         self.site = ChoiceField((), self._show_site, translate("Trabecula", "Site; or click one in the 3D view"))
         self.size = NumberField("mm", 0.05, self._draw, translate("Trabecula", "Size of the pore"))
         self.turns: List[NumberField] = []
@@ -60,9 +60,8 @@ class SitePanel:
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelectionGate(SiteGate(wireframe))
         FreeCADGui.Selection.addObserver(self)
-        FreeCAD.addDocumentObserver(self)
+        self.begin()
         self._fill()
-        invoke_later(lambda: widen_dock(self.form, WIDTH))
 
     def _make_form(self) -> Any:
         form = PanelForm(translate("Trabecula", "Edit site and pore"), "Trabecula_edit_pore", "commands/EditSite.md")
@@ -170,42 +169,28 @@ class SitePanel:
 
     # --------------------------------------------------------------------------------------- observers, task panel
 
+    @while_open
     def addSelection(self, document: str, name: str, sub: str, point: Any) -> None:
         """Take the site that was clicked (FreeCAD's observer protocol)."""
         element = sub.split(".")[-1]
-        if (document, name) not in [(self._names[0], one.Name) for one in self._sites] or "Vertex" not in element:
+        if (document, name) not in [(self.document_name, one.Name) for one in self._sites] or "Vertex" not in element:
             return
         with told():
             obj = FreeCAD.getDocument(document).getObject(name)
             names = [one for face in obj.Proxy.faces(obj).values() for one in face.sites.names]
             self.site.set_value(names[int(element[6:]) - 1])
 
-    def getStandardButtons(self) -> Any:
-        """Return the buttons above the form."""
-        return flags_of(Buttons.Close)
+    def objects(self) -> Sequence[Any]:
+        """Return the design."""
+        return (self.obj,)
 
-    def reject(self) -> bool:
-        """Close the panel; what was changed stays."""
-        self._leave()
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the panel when its document is closed (FreeCAD's observer protocol)."""
-        if self._open and document.Name == self._names[0]:
-            self._visible = []
-            self._leave()
-            invoke_later(FreeCADGui.Control.closeDialog)
-
-    def _leave(self) -> None:
-        if not self._open:
-            return
-        self._open = False
+    def let_go(self, has_document: bool) -> None:
+        """Listen to clicks no more, and hide the sites that were hidden."""
         FreeCADGui.Selection.removeObserver(self)
         FreeCADGui.Selection.removeSelectionGate()
-        FreeCAD.removeDocumentObserver(self)
-        for one, visible in self._visible:
-            one.ViewObject.Visibility = visible
+        for one, visible in self._visible if has_document else ():
+            if one in self.document.Objects:
+                one.ViewObject.Visibility = visible
 
 
 def components(angles: np.ndarray) -> List[float]:

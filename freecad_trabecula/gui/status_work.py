@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import Callable, List
 
 from ..errors import TrabeculaError
-from .child_work import ChildWork, task_work
+from .child_work import ChildWork, start_task
 from .recomputing import WorkBar
 from .transactions import told
 
-_works: List[ChildWork] = []
+_works: List[ChildWork] = []  # those that go on
 
 
 def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], None]) -> None:
@@ -28,11 +28,10 @@ def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], 
     TrabeculaError
         If the work cannot be started.
     """
-    work = task_work(write_task)
 
     def end() -> None:
-        bar.hide()
-        bar.deleteLater()
+        bar.close_bar()
+        _works.remove(work)
 
     def succeed(folder: str) -> None:
         end()
@@ -49,13 +48,13 @@ def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], 
         end()
 
     bar = WorkBar(cancel)
-    work.progressed.connect(bar.show_progress)
-    work.succeeded.connect(succeed)
-    work.failed.connect(fail)
-    work.process.finished.connect(lambda *_: _works.remove(work))
+    try:
+        work = start_task(write_task, bar.show_progress, succeed, fail)
+    except TrabeculaError:
+        bar.close_bar()
+        raise
     _works.append(work)
     bar.show_start()
-    work.start()
 
 
 def is_working() -> bool:

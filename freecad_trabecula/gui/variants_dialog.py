@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, List, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 import FreeCAD
 import FreeCADGui
@@ -17,7 +17,7 @@ from ..errors import ParameterError
 from ..features.relations import type_of
 from ..features.tasks import write_variants_task
 from ..features.variants import read_variants
-from .child_work import ChildWork, Progress, task_work, time_text
+from .child_work import ChildWork, Progress, start_task, time_text
 from .fields import row_widget
 from .histogram import Histogram
 from .language import filled, in_words, local_number
@@ -30,7 +30,6 @@ translate = FreeCAD.Qt.translate
 USUAL = 10  # variants of one click
 _PICTURE, _ROW = 110, 116  # pixels
 _CSV = "CSV (*.csv)"
-_ended: List[ChildWork] = []  # a cancelled one lives on here until its process is gone
 
 
 class VariantsDialog(QtGui.QDialog):
@@ -114,12 +113,12 @@ class VariantsDialog(QtGui.QDialog):
         with told():
             seeds = seeds_from(self.first.value(), self.count.value())
             obj = self.obj()
-            work = task_work(lambda folder: write_variants_task(folder, obj, seeds, self.by.currentData()))
-            work.progressed.connect(self._show_progress)
-            work.succeeded.connect(self._show_results)
-            work.failed.connect(self._fail)
-            work.start()
-            self.work = work
+            self.work = start_task(
+                lambda folder: write_variants_task(folder, obj, seeds, self.by.currentData()),
+                self._show_progress,
+                self._show_results,
+                self._fail,
+            )
             self.bar.setValue(0)
             self.message.setText(translate("Trabecula", "being computed"))
         self._offer()
@@ -128,8 +127,6 @@ class VariantsDialog(QtGui.QDialog):
         """End the work."""
         if self.work is not None:
             work, self.work = self.work, None
-            _ended.append(work)
-            work.process.finished.connect(lambda *_: _ended.remove(work))
             work.cancel()
             self.message.setText(translate("Trabecula", "Cancelled"))
             self._offer()

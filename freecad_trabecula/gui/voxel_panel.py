@@ -19,7 +19,7 @@ from ..features.tasks import write_voxel_task
 from ..features.voxel_design import VoxelDesign
 from ..features.voxel_inputs import FlatTables, curves_of, flat_tables, inputs_of
 from .analysis_form import is_sliceable
-from .document_work import Order, work_at_once, write_step
+from .document_work import Order, check_present, work_at_once, write_step
 from .language import in_words
 from .preferences import new_surface, new_voxels
 from .voxel_dock import show_layers
@@ -50,13 +50,15 @@ class VoxelWish(NamedTuple):
         TrabeculaError
             If there is no sample.
         """
+        check_present(self.document, (self.source, self.envelope))
         document = FreeCAD.getDocument(self.document)
         sample = document.getObject(self.source) if self.source else self.curves or self.file
         envelope = document.getObject(self.envelope) if self.envelope else None
         inputs = inputs_of(sample, self.parameters, envelope, self.surface, self.tables)
         return Order(
-            self.document, VoxelDesign.KIND, inputs.key, lambda folder: write_voxel_task(folder, inputs), self.write
-        )
+            self.document, VoxelDesign.KIND, inputs.key, lambda folder: write_voxel_task(folder, inputs), self.write,
+            (self.source, self.envelope, self.design),
+        )  # fmt: skip
 
     def work(self, done: Callable[[Any], None]) -> None:
         """Do it with one click, seen in the status bar.

@@ -6,8 +6,6 @@ from __future__ import annotations
 from html import escape
 from typing import Any, Callable, Optional, Tuple
 
-import FreeCAD
-import FreeCADGui
 from PySide import QtGui
 
 from ..errors import TrabeculaError
@@ -16,13 +14,14 @@ from .document_work import DocumentWork, Order
 from .language import in_words
 from .notice import tell_of
 from .outcome import RED
-from .qt import Buttons, PanelForm, flags_of, invoke_later, widen_dock
+from .qt import Buttons, PanelForm
+from .task_panels import DocumentPanel, while_open
 from .transactions import told
 
 WIDTH = 400  # pixels that the form needs
 
 
-class WorkPanel:
+class WorkPanel(DocumentPanel):
     """Base of panels that make or change one object: fields, what is to be said, a button, a bar.
 
     Parameters
@@ -39,6 +38,8 @@ class WorkPanel:
         Shows what was made or changed.
     """
 
+    BUTTONS = (Buttons.Ok, Buttons.Cancel)
+
     def __init__(
         self,
         document: Any,
@@ -48,8 +49,8 @@ class WorkPanel:
         words: Tuple[str, str, str, str],
         show: Callable[[Any], None],
     ) -> None:
-        self.document, self.obj, self.fields, self._show = document, obj, fields, show
-        self._name, self._open, self._closes = document.Name, True, False
+        super().__init__(document, WIDTH)
+        self.obj, self.fields, self._show, self._closes = obj, fields, show, False
         self._work: Optional[DocumentWork] = None
         self.message = QtGui.QLabel()
         self.message.setWordWrap(True)
@@ -62,8 +63,7 @@ class WorkPanel:
         for widget in (self.fields, self.message, self.build_bar):
             column.addWidget(widget)
         self.fill(source)
-        FreeCAD.addDocumentObserver(self)
-        invoke_later(lambda: widen_dock(self.form, WIDTH))
+        self.begin()
 
     def fill(self, source: Any) -> None:
         """Show the values of the object, or those of a new one of a source."""
@@ -114,7 +114,7 @@ class WorkPanel:
 
     def _end_work(self) -> None:
         self._work = None
-        if self._open:
+        if self.is_open:
             self._set_working(False)
 
     def _set_working(self, working: bool) -> None:
@@ -124,28 +124,23 @@ class WorkPanel:
     def _done(self, obj: Any) -> None:
         self._end_work()
         self.obj = obj
-        if self._open:
+        if self.is_open:
             self.lock_source(True)
             self.message.setText(in_words(obj.Status))
-        tell_of(self._name, obj.Name, True)
+        tell_of(self.document_name, obj.Name, True)
         self._show(obj)
-        if self._closes and self._open:
-            self._leave()
-            FreeCADGui.Control.closeDialog()
+        if self._closes and self.is_open:
+            self.close()
 
     def _refused(self, error: TrabeculaError) -> None:
         self._end_work()
-        tell_of(self._name, "", False)
-        if self._open:
+        tell_of(self.document_name, "", False)
+        if self.is_open:
             self.refuse(error)
         with told():
             raise error
 
     # ---------------------------------------------------------------------------------------------------- task panel
-
-    def getStandardButtons(self) -> Any:
-        """Return the buttons above the form."""
-        return flags_of(Buttons.Ok, Buttons.Cancel)
 
     def accept(self) -> bool:
         """Do the work, then close."""
@@ -153,27 +148,14 @@ class WorkPanel:
             self._start(True)
         return False
 
-    def reject(self) -> bool:
-        """Close the panel; what was made stays."""
+    def let_go(self, has_document: bool) -> None:
+        """Stop the work; what was made stays."""
         self.cancel()
-        self._leave()
-        FreeCADGui.Control.closeDialog()
-        return True
 
-    def slotDeletedDocument(self, document: Any) -> None:
-        """Close the panel when its document is closed (FreeCAD's observer protocol)."""
-        if self._open and document.Name == self._name:
-            self._leave()
-            self.cancel()
-            invoke_later(FreeCADGui.Control.closeDialog)
-
+    @while_open
     def slotDeletedObject(self, obj: Any) -> None:
         """Begin anew when the object goes, by undo for instance (FreeCAD's observer protocol)."""
-        if self._open and self.obj is not None and obj == self.obj:
+        if self.obj is not None and obj == self.obj:
+            self.cancel()
             self.obj = None
             self.lock_source(False)
-
-    def _leave(self) -> None:
-        if self._open:
-            self._open = False
-            FreeCAD.removeDocumentObserver(self)

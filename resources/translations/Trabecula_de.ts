@@ -8901,6 +8901,11 @@
         <translation>{} bis {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/document_work.py"/>
+        <source>{} was deleted meanwhile</source>
+        <translation>{} wurde inzwischen gelöscht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/report_writing.py"/>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>

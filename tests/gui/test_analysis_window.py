@@ -96,7 +96,7 @@ class PanelTest(AnalysisCase):
         panel = self.open_panel(self.torus())
         panel.fields.layers.fields["thickness"].set_value(1.0)
         panel.accept()
-        self.assertTrue(wait(lambda: not panel._open, 120))
+        self.assertTrue(wait(lambda: not panel.is_open, 120))
         self.assertEqual(len(self.analyses()), 1)
 
     def test_a_double_click_opens_the_panel_with_the_values(self):

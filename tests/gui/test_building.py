@@ -82,7 +82,7 @@ class BuildTest(WindowTest):
         self.wait_for_estimate(panel)
         self.change(panel, lambda: panel.fields.seed.set_value(5))
         panel.accept()
-        self.assertTrue(wait(lambda: not panel._open, 120))
+        self.assertTrue(wait(lambda: not panel.is_open, 120))
         settle(0.5)
         self.assertEqual(wireframe.Seed, 5)
         self.assertTrue(self.document.getObject("Network").UpToDate)

@@ -136,7 +136,7 @@ class CommandTest(WindowTest):
 
         with mock.patch("freecad_trabecula.gui.building.record", record):
             panel.accept()
-            self.assertTrue(wait(lambda: not panel._open, 60))
+            self.assertTrue(wait(lambda: not panel.is_open, 60))
         self.document.undo()
         self.assertEqual(self.names(), [])
         exec("\n".join(lines), {})  # noqa: S102  this is what a macro is

@@ -74,7 +74,7 @@ class PanelTest(WindowTest):
     def test_ok_keeps_the_design_in_one_step_that_can_be_undone_and_redone(self):
         panel = self.open_preset("case1")
         panel.accept()
-        self.assertTrue(wait(lambda: not panel._open, 60))
+        self.assertTrue(wait(lambda: not panel.is_open, 60))
         self.assertEqual(self.names(), ["Envelope", "Sites", "Wireframe"])
         self.assertEqual(self.document.UndoNames, ["Design rods"])
         self.document.undo()
@@ -91,7 +91,7 @@ class PanelTest(WindowTest):
         panel = self.open_preset("case1")
         FreeCAD.closeDocument(self.document.Name)
         self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 30))
-        self.assertFalse(panel._open)
+        self.assertFalse(panel.is_open)
 
     def test_the_preview_leaves_nothing_in_the_scene(self):
         scene = FreeCADGui.getDocument(self.document.Name).mdiViewsOfType("Gui::View3DInventor")[0].getSceneGraph()

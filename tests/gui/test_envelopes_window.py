@@ -43,7 +43,7 @@ class EnvelopeTest(WindowTest):
         self.change(panel, panel.fields.couplings._add)
         wait(lambda: panel._drawn is not None, 30)
         panel.accept()
-        self.assertTrue(wait(lambda: not panel._open, 60))
+        self.assertTrue(wait(lambda: not panel.is_open, 60))
         wireframe = self.wireframe()
         self.assertEqual(wireframe.Envelope, body)
         self.assertEqual([list(one.Face[1]) for one in wireframe.Sites], [["Face2"], ["Face3"]])

@@ -164,7 +164,7 @@ class RodsDoorTest(GuideCase):
         self.wait_for_estimate(panel)
         self.change(panel, lambda: panel.fields.pores.fields["size"].high.set_value(1.1))
         panel.accept()
-        self.assertTrue(wait(lambda: not panel._open, 90), self.dialogs)
+        self.assertTrue(wait(lambda: not panel.is_open, 90), self.dialogs)
         self.wait_for("analyse")
         moved = lambda: abs(dock._comparison.axes["z"].values["sliced_area"] - before).max() > 0.1  # noqa: E731
         self.assertTrue(wait(lambda: dock._comparison is not None and moved(), 60), "the comparison stands still")

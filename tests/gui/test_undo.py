@@ -141,7 +141,7 @@ class UndoTest(WindowTest):
         panel = panels.current()
         self.wait_for_estimate(panel)
         panel.accept()
-        self.assertTrue(wait(lambda: not panel._open, 120), self.dialogs)
+        self.assertTrue(wait(lambda: not panel.is_open, 120), self.dialogs)
 
     def test_a_preset(self):
         def act():

@@ -125,7 +125,9 @@ class WindowTest(unittest.TestCase):
     def build(self, panel, seconds=240.0):
         """Build and wait for the end."""
         panel.build()
-        self.assertTrue(wait(lambda: not panel._open, seconds), f"not built in {seconds:g} s; dialogs: {self.dialogs}")
+        self.assertTrue(
+            wait(lambda: not panel.is_open, seconds), f"not built in {seconds:g} s; dialogs: {self.dialogs}"
+        )
         settle(0.5)
         self.assertEqual(self.dialogs, [])
 
