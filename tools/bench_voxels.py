@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Voxel designs: our time beside the thesis' and the prototype's, every row of the goals (``make bench`` runs it too).
+"""Voxel designs: our time beside integer programming's, the thesis' and the prototype's (``make bench`` runs it too).
 
     python3 tools/bench_voxels.py [--largest 512]    # writes its part of docs/performance.md
 
-Every piece runs in a process of its own on one thread: CPU seconds of the work (imports and reading the sample not
+Integer programming (HiGHS in scipy) gets the same targets in the same run, in a box of 40^3: larger ones take it minutes.
+The prototype is a first sketch of our own method; its times were written down once. Every piece runs in a process of its own on one thread: CPU seconds of the work (imports and reading the sample not
 counted), peak memory of the whole process. The samples are those of the folder TRABECULA_DATA (default ../shared/data).
 """
 
@@ -27,6 +28,7 @@ SHREW, HUMAN = "shrew_cube_10mm.stl", "trab_ior_10mm_13MB.stl"
 #: work, piece, the thesis or the prototype (measured when it was written), goal
 ROWS = (
     ("tables and layers, thesis' route, 103 x 94 x 103", "thesis", "thesis 1382 s", "1 s"),
+    ("sliced areas on three axes, 40^3, human bone", "small", "", "1 s"),
     ("trabecular 100^3, shrew cube", "shrew any", "thesis could not; prototype 0.5 s", "1 s"),
     ("trabecular 104 x 94 x 104, human bone", "human any", "thesis could not; prototype 0.7 s", "1 s"),
     ("no contact by an edge alone, shrew cube", "shrew edge", "prototype 0.7 s", "2.5 s"),
@@ -96,6 +98,49 @@ def thesis():
     return seconds, f"layers off {len(layer_errors(design.voxels, targets))}"
 
 
+def small_targets():
+    """Return the targets of the human bone in 40^3 voxels."""
+    from freecad_trabecula.core.voxels.parameters import VoxelParameters
+    from freecad_trabecula.core.voxels.sources import read_targets
+
+    return read_targets(DATA / HUMAN, VoxelParameters(size=0.25))
+
+
+def small():
+    """Return CPU seconds of a trabecular design in a small box, and what it is."""
+    from voxel_runs import made
+
+    from freecad_trabecula.core.voxels.parameters import VoxelParameters
+
+    targets = small_targets()
+    voxels, seconds = made(targets, VoxelParameters(size=0.25))
+    return seconds, held(voxels, targets)
+
+
+def integer_program():
+    """Return CPU seconds of HiGHS for the same box, one unknown a voxel, one equation a layer, and what it is."""
+    import numpy as np
+    from scipy.optimize import Bounds, LinearConstraint, milp
+    from scipy.sparse import csr_matrix, vstack
+
+    targets = small_targets()
+    goals = (targets.c, targets.e, targets.d)
+    shape = tuple(len(goal) for goal in goals)
+    cells = int(np.prod(shape))
+    layers = vstack([
+        csr_matrix((np.ones(cells), (place.ravel(), np.arange(cells))), shape=(edge, cells))
+        for place, edge in zip(np.indices(shape), shape)
+    ])  # fmt: skip
+    wanted = np.concatenate(goals)
+    found, seconds = clock(lambda: milp(
+        np.zeros(cells), integrality=np.ones(cells), bounds=Bounds(0, 1),
+        constraints=LinearConstraint(layers.tocsr(), wanted, wanted),
+    ))  # fmt: skip
+    if found.x is None:
+        return seconds, found.message
+    return seconds, held(found.x.reshape(shape) > 0.5, targets)
+
+
 def mesh():
     """Return CPU seconds of blocks made and written as STL, and their triangles."""
     from freecad_trabecula.core.stl import write_stl
@@ -125,6 +170,9 @@ def count():
     return seconds, f"standard errors up to {worst:.1g} %; designs 10^{counts.designs.log10:.2f}"
 
 
+PIECES = {"thesis": thesis, "small": small, "milp": integer_program, "mesh": mesh, "count": count}
+
+
 def piece(name):
     """Return [CPU s, GB, what came out] of one piece."""
     kind, _, what = name.partition(" ")
@@ -136,8 +184,17 @@ def piece(name):
         chosen = ("edge", "xyz") if counted else (what, "off")
         seconds, text = trabecular(SHREW if kind == "shrew" else HUMAN, *chosen)
     else:
-        seconds, text = {"thesis": thesis, "mesh": mesh, "count": count}[kind]()
+        seconds, text = PIECES[kind]()
     return [seconds, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6, text]
+
+
+def measured(name):
+    """Return CPU seconds and GB of a piece in a process of its own, and what came out, in words."""
+    shown = subprocess.run([sys.executable, __file__, "--piece", name], stdout=subprocess.PIPE)
+    if shown.returncode:
+        return "failed", f"exit code {shown.returncode}"
+    seconds, memory, text = json.loads(shown.stdout)
+    return f"{seconds:.2f}, {memory:.2f}", text
 
 
 def run(largest=512):
@@ -149,11 +206,10 @@ def run(largest=512):
     for work, name, other, goal in ROWS:
         if name.startswith("box") and int(name.split()[1]) > largest:
             continue
-        shown = subprocess.run([sys.executable, __file__, "--piece", name], stdout=subprocess.PIPE)
-        figures, text = "failed", f"exit code {shown.returncode}"
-        if shown.returncode == 0:
-            seconds, memory, text = json.loads(shown.stdout)
-            figures = f"{seconds:.2f}, {memory:.2f}"
+        figures, text = measured(name)
+        if name == "small":
+            theirs, what = measured("milp")
+            other = f"integer programming: {theirs}; {what}"
         lines.append(f"| {work} | {figures} | {other} | <= {goal} | {text} |")
         print(lines[-1], flush=True)
     head = (
