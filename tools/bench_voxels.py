@@ -3,9 +3,10 @@
 
     python3 tools/bench_voxels.py [--largest 512]    # writes its part of docs/performance.md
 
-Integer programming (HiGHS in scipy) gets the same targets in the same run, in a box of 40^3: larger ones take it minutes.
-The prototype is a first sketch of our own method; its times were written down once. Every piece runs in a process of its own on one thread: CPU seconds of the work (imports and reading the sample not
-counted), peak memory of the whole process. The samples are those of the folder TRABECULA_DATA (default ../shared/data).
+Integer programming (HiGHS in scipy) gets the same targets in the same run, in a box of 40^3: larger ones take it
+minutes. The prototype is a first sketch of our own method; its times were written down once. Every piece runs in a
+process of its own on one thread: CPU seconds of the work (imports and reading the sample not counted), peak memory of
+the whole process. The samples are those of the folder TRABECULA_DATA (default ../shared/data).
 """
 
 import argparse
