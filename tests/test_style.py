@@ -59,6 +59,45 @@ def test_no_module_is_longer_than_400_lines():
     assert {name: length for name, length in lengths.items() if length > MAX_MODULE_LINES} == {}
 
 
+def code_of(path):
+    """Return (line number, line without blanks) of a module, without signatures, docstrings, imports and comments."""
+    text, left_out = path.read_text(encoding="utf-8"), set()
+    for node in ast.walk(ast.parse(text)):
+        is_text = isinstance(node, ast.Expr) and isinstance(getattr(node.value, "value", None), str)
+        if is_text or isinstance(node, (ast.Import, ast.ImportFrom)):
+            left_out.update(range(node.lineno, node.end_lineno + 1))
+        elif isinstance(node, ast.FunctionDef):
+            left_out.update(range(node.lineno, node.body[0].lineno))
+    lines = enumerate((line.strip() for line in text.splitlines()), 1)
+    return [(n, line) for n, line in lines if line and n not in left_out and not line.startswith("#")]
+
+
+def copies(paths, run=6):
+    """Return pairs of places that share so many lines of code."""
+    seen, found = {}, []
+    for path in paths:
+        lines = code_of(path)
+        for k in range(len(lines) - run + 1):
+            place, words = (path, k), tuple(line for _, line in lines[k : k + run])
+            first = seen.setdefault(words, place)
+            if first != place and not (first[0] == path and k - first[1] < run):
+                found.append(f"{path.name}:{lines[k][0]} is like {first[0].name}:{code_of(first[0])[first[1]][0]}")
+    return found
+
+
+def test_no_six_lines_of_code_stand_twice():
+    assert copies([*MODULES, *sorted((ROOT / "tools").glob("*.py"))]) == []
+
+
+def test_six_lines_that_stand_twice_are_found_whatever_their_comments(tmp_path):
+    lines = [f"value_{k} = {k}" for k in range(6)]
+    (tmp_path / "a.py").write_text("\n".join(lines), encoding="utf-8")
+    (tmp_path / "b.py").write_text("import os\n\nif os:\n    " + "\n    # why\n\n    ".join(lines), encoding="utf-8")
+    assert copies([tmp_path / "a.py", tmp_path / "b.py"]) == ["b.py:4 is like a.py:1"]
+    (tmp_path / "b.py").write_text("\n".join(lines[:5]), encoding="utf-8")
+    assert copies([tmp_path / "a.py", tmp_path / "b.py"]) == []
+
+
 def test_no_function_is_longer_than_60_lines_and_half_are_shorter_than_15():
     lengths = {named(path) + ":" + name: code_lines(node) for path in MODULES for name, node in functions_of(path)}
     assert {name: length for name, length in lengths.items() if length > MAX_FUNCTION_LINES} == {}

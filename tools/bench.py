@@ -244,7 +244,7 @@ def compare(only):
             theirs, ratio = f"{rival}: {other}, -", seconds / other
         lines.append(f"| {work} | {seconds:.1f}, {memory:.2f} | {theirs} | {ratio:.3g} | {goal} | {text} |")
         print(lines[-1], flush=True)
-    write_page("bench.md", "# Our time beside a rival's\n\n" + "\n".join(lines))
+    generated_page.write_bench("bench.md", "# Our time beside a rival's\n\n" + "\n".join(lines))
     if not only:
         generated_page.write_part("performance.md", "rods", "Made by `make bench`.\n\n" + "\n".join(lines))
 
@@ -259,7 +259,7 @@ def grow():
                 found.append((3 * n * n, seconds, memory))
                 print(f"{engine:5} {3 * n * n:5} rods {seconds:7.1f} s {memory:5.2f} GB  {text}", flush=True)
     rows = [f"| {e} | {r} | {s:.1f} | {m:.2f} |" for e, found in points.items() for r, s, m in found]
-    write_page("growth.md", "| engine | rods | CPU s | GB |\n|---|---|---|---|\n" + "\n".join(rows))
+    generated_page.write_bench("growth.md", "| engine | rods | CPU s | GB |\n|---|---|---|---|\n" + "\n".join(rows))
     draw(points)
 
 
@@ -280,19 +280,7 @@ def draw(points):
         axis.set_ylabel(label)
         axis.grid(True, which="both", alpha=0.3)
         axis.legend()
-    figure.tight_layout()
-    path = ROOT / "docs" / "pictures" / "growth.png"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=110)
-    print(f"drawn in {path}")
-
-
-def write_page(name, text):
-    """Write a page into build/bench."""
-    path = ROOT / "build" / "bench" / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text + "\n", encoding="utf-8")
-    print(f"written to {path}")
+    generated_page.save_picture(figure, "growth.png")
 
 
 def main(arguments):

@@ -350,7 +350,8 @@ def compare(mesh, count=100):
         counts = "-" if same is None else f"{same} of {3 * count}"
         lines.append(f"| {name} | {theirs[0]:.2f} | {theirs[1]:.0f} | {counts} | {figures} |")
     print("\n".join(lines))
-    write_page("slices-compared.md", f"# {count} planes along each axis of {Path(mesh).name}\n\n" + "\n".join(lines))
+    title = f"# {count} planes along each axis of {Path(mesh).name}\n\n"
+    generated_page.write_bench("slices-compared.md", title + "\n".join(lines))
 
 
 def grow(mesh):
@@ -394,19 +395,7 @@ def draw(by_triangles, by_planes):
         axis.minorticks_off()
         axis.grid(True, alpha=0.3)
         axis.legend(loc="upper left")
-    figure.tight_layout()
-    path = ROOT / "docs" / "pictures" / "slices-growth.png"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=110)
-    print(f"drawn in {path}")
-
-
-def write_page(name, text):
-    """Write a page into build/bench."""
-    path = ROOT / "build" / "bench" / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text + "\n", encoding="utf-8")
-    print(f"written to {path}")
+    generated_page.save_picture(figure, "slices-growth.png")
 
 
 def parse(arguments):

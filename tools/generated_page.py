@@ -3,7 +3,8 @@
 
 from pathlib import Path
 
-DOCS = Path(__file__).resolve().parent.parent / "docs"
+ROOT = Path(__file__).resolve().parent.parent
+DOCS = ROOT / "docs"
 
 
 def write_part(page, part, text):
@@ -31,3 +32,20 @@ def write_part(page, part, text):
     before, rest = whole.split(begin)
     path.write_text(f"{before}{begin}\n{text.strip()}\n{end}{rest.split(end)[1]}", encoding="utf-8")
     print(f"part {part} of docs/{page} written")
+
+
+def write_bench(name, text):
+    """Write a page of its own into build/bench."""
+    path = ROOT / "build" / "bench" / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text + "\n", encoding="utf-8")
+    print(f"written to {path}")
+
+
+def save_picture(figure, name):
+    """Write a figure of matplotlib as a picture of docs."""
+    figure.tight_layout()
+    path = DOCS / "pictures" / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, dpi=110)
+    print(f"drawn in {path}")

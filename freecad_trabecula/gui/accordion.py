@@ -8,18 +8,21 @@ from typing import Any, List, Tuple
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from .qt import is_alive
+from .qt import icon, is_alive
 
 
 class Accordion(QtGui.QWidget):
     """Headers with pages; a click on a header opens its page and closes the others, a second click closes it."""
 
-    def __init__(self) -> None:
+    def __init__(self, *sections: Tuple[str, str, Any]) -> None:
+        """Take sections as (title, name of an icon, page)."""
         super().__init__()
         self._pages: List[Tuple[Any, Any, str]] = []
         self._column = QtGui.QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(2)
+        for title, picture, page in sections:
+            self.add(title, icon("Trabecula_" + picture), page)
 
     def add(self, title: str, picture: Any, page: Any) -> None:
         """Add a section; the first one is open."""

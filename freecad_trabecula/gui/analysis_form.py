@@ -19,7 +19,7 @@ from .fields import NumberField, row_widget
 from .form import Form
 from .language import choice, decimal_point, local_number
 from .object_choice import ObjectChoice
-from .qt import icon, small_button
+from .qt import small_button
 
 translate = FreeCAD.Qt.translate
 _FILES = "(*.stl *.obj *.ply *.3mf)"
@@ -102,13 +102,11 @@ class AnalysisForm(QtGui.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.measures)
         column.addWidget(self.morphometry)
-        self.sections = Accordion()
-        for words, picture, page in (
+        self.sections = Accordion(
             (translate("Trabecula", "Measures"), "results", what),
             (translate("Trabecula", "Range and heights"), "analysis", planes),
             (translate("Trabecula", "Mending"), "edit_pore", self.mending),
-        ):
-            self.sections.add(words, icon("Trabecula_" + picture), page)
+        )
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)

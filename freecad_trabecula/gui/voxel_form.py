@@ -20,7 +20,7 @@ from .fields import ChoiceField, NumberField, row_widget
 from .form import Form
 from .language import choice, description, in_words
 from .object_choice import ObjectChoice
-from .qt import icon, small_button
+from .qt import small_button
 
 translate = FreeCAD.Qt.translate
 ANALYSIS = "Trabecula::Analysis"
@@ -115,13 +115,11 @@ class VoxelForm(QtGui.QWidget):
         rows.addRow(translate("Trabecula", "Voxels within"), self.envelope)
         rows.addRow(self.boundary)
         rows.addRow(translate("Trabecula", "Surface"), self.surface.widget)
-        self.sections = Accordion()
-        for words, picture, page in (
+        self.sections = Accordion(
             (translate("Trabecula", "Strategy's own choices"), "voxels", self.options),
             (translate("Trabecula", "Envelope and surface"), "envelope", around),
             (translate("Trabecula", "Targets"), "plots", self.targets),
-        ):
-            self.sections.add(words, icon("Trabecula_" + picture), page)
+        )
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)

@@ -10,19 +10,16 @@ import re
 import signal
 import struct
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from shell_runs import BARE, ROOT, check_a_full_disk, names, report_of, run
 
 from freecad_trabecula.core import mesh_formats, meshes, stl
 from freecad_trabecula.core.analysis.ssl import read_ssl
 
-ROOT = Path(__file__).resolve().parents[2]
-#: -S leaves out the folders where numpy is: a Python with the standard library alone.
-BARE = [sys.executable, "-S", "-m", "freecad_trabecula"]
 DATA = Path(os.environ.get("TRABECULA_DATA") or ROOT.parent / "shared" / "data")
 FEW = ["--no-morphometry", "--plots", "none"]
 TABLES = [f"{kind}_{axis}.csv" for kind in ("contours", "profile") for axis in "xyz"]
@@ -31,19 +28,8 @@ SQUARES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4),
 SSL = "Slice V0\nFILE(a)\nUNITS(MM)\nSLICES()\nZ 0.5 1\n0 0\n5 0\n5 5\n0 5\nC\nZ 1.5 1\n0 0\n4 0\n4 4\n0 4\nC\nEND\n"
 
 
-def analyse(*words, python=None, timeout=180, **environment):
-    command = [*(python or BARE), "analyse", *map(str, words)]
-    return subprocess.run(
-        command, cwd=str(ROOT), env=dict(os.environ, **environment), capture_output=True, text=True, timeout=timeout
-    )
-
-
-def names(folder):
-    return sorted(path.name for path in folder.iterdir())
-
-
-def report_of(folder):
-    return json.loads((folder / "report.json").read_text(encoding="utf-8"))
+def analyse(*words, **more):
+    return run("analyse", *words, **more)
 
 
 def rows_of(path):
@@ -449,18 +435,7 @@ def test_a_killed_run_leaves_nothing_half_written(tmp_path):
 
 def test_a_full_disk_is_exit_code_1_and_nothing_is_written(tmp_path):
     stl.write_stl(tmp_path / "a.stl", cavity())
-    words = " ".join([*BARE, "analyse", str(tmp_path / "a.stl"), "--thickness", "0.01", *FEW, "--out",
-                      str(tmp_path / "out")])  # fmt: skip
-    done = subprocess.run(
-        ["bash", "-c", f"ulimit -f 100; {words}"],
-        cwd=str(ROOT),
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert done.returncode == 1
-    assert "could not be written" in done.stderr and "nothing was written" in done.stderr
+    check_a_full_disk("analyse", tmp_path / "a.stl", "--thickness", "0.01", *FEW, "--out", tmp_path / "out")
     assert names(tmp_path) == ["a.stl"]
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 
 import pytest
+from shell_runs import check_refusal
 
 from freecad_trabecula.core import parameters
 from freecad_trabecula.shell import arguments
@@ -80,13 +81,7 @@ def test_the_list_of_presets_needs_no_folder():
     ],
 )
 def test_wrong_words_are_refused_in_one_sentence(words, message, capsys):
-    with pytest.raises(SystemExit) as stop:
-        read_arguments(words)
-    said = capsys.readouterr()
-    assert stop.value.code == 2
-    assert message in said.err
-    assert said.err.count("\n") == 1
-    assert said.out == ""
+    check_refusal(words, message, capsys)
 
 
 def test_help_names_every_option_and_the_exit_codes(capsys):

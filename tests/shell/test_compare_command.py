@@ -6,31 +6,17 @@ from __future__ import annotations
 import csv
 import json
 import re
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
+from shell_runs import names, run
 
 from freecad_trabecula.core import meshes, stl
 
-ROOT = Path(__file__).resolve().parents[2]
-BARE = [sys.executable, "-S", "-m", "freecad_trabecula"]
 FEW = ["--no-morphometry", "--plots", "none"]
 TABLES = ["comparison.csv", *(f"comparison_{axis}.csv" for axis in "xyz"), "passport.json", "passport.md"]
 REPORTS = ["report.json", "report.md"]
 SQUARES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-
-
-def run(command, *words):
-    return subprocess.run(
-        [*BARE, command, *map(str, words)], cwd=str(ROOT), capture_output=True, text=True, timeout=180, check=False
-    )
-
-
-def names(folder):
-    return sorted(path.name for path in folder.iterdir())
 
 
 def write_box(path, size, less=0):

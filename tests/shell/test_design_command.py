@@ -4,24 +4,20 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from shell_runs import BARE, ROOT, check_a_full_disk, names, report_of, run
 
 from freecad_trabecula.core import mesh_formats, meshes, stl
 from freecad_trabecula.core.job import job_from_json, job_to_json, set_values
 from freecad_trabecula.core.presets import preset
 
-ROOT = Path(__file__).resolve().parents[2]
-#: -S leaves out the folders where numpy is: a Python with the standard library alone.
-BARE = [sys.executable, "-S", "-m", "freecad_trabecula"]
 #: Few rods: 3 x 3 x 3 in a small cube.
 SMALL = ["--preset", "case6", *(w for k in "xyz" for w in ("--set", f"prism.n_{k}=3")), "--set", "name=small"]
 FILES = ["channels.stl", "design.FCStd", "network.step", "report.json", "report.md", "scaffold.stl"]
@@ -29,19 +25,8 @@ FILES = ["channels.stl", "design.FCStd", "network.step", "report.json", "report.
 LONG = ["--preset", "case6", *(w for k in "xyz" for w in ("--set", f"prism.n_{k}=9"))]
 
 
-def design(*words, python=None, timeout=120, **environment):
-    command = [*(python or BARE), "design", *map(str, words)]
-    return subprocess.run(
-        command, cwd=str(ROOT), env=dict(os.environ, **environment), capture_output=True, text=True, timeout=timeout
-    )
-
-
-def names(folder):
-    return sorted(path.name for path in folder.iterdir())
-
-
-def report_of(folder):
-    return json.loads((folder / "report.json").read_text(encoding="utf-8"))
+def design(*words, **more):
+    return run("design", *words, **more)
 
 
 def figures(report):
@@ -335,17 +320,7 @@ def test_a_killed_run_leaves_nothing_half_written(tmp_path):
 
 
 def test_a_full_disk_is_exit_code_1_and_nothing_is_written(tmp_path):
-    words = " ".join([*BARE, "design", *SMALL, "--out", str(tmp_path / "out")])
-    done = subprocess.run(
-        ["bash", "-c", f"ulimit -f 100; {words}"],
-        cwd=str(ROOT),
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert done.returncode == 1
-    assert "could not be written" in done.stderr and "nothing was written" in done.stderr
+    check_a_full_disk("design", *SMALL, "--out", tmp_path / "out")
     assert names(tmp_path) == []
 
 

@@ -9,13 +9,10 @@ import sys
 from unittest import mock
 
 import pytest
+from shell_runs import names
 
 from freecad_trabecula.errors import ExportError, ParameterError
 from freecad_trabecula.shell.folder import ResultFolder
-
-
-def names(folder):
-    return sorted(path.name for path in folder.iterdir())
 
 
 def write(folder, *pairs):

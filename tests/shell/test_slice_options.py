@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 
 import pytest
+from shell_runs import check_refusal
 
 from freecad_trabecula.core.analysis import comparison, parameters, plots, triangles
 from freecad_trabecula.shell import slice_options
@@ -96,11 +97,7 @@ def test_samples_become_absolute():
     ],
 )
 def test_wrong_words_are_refused_in_one_sentence(words, message, capsys):
-    with pytest.raises(SystemExit) as stop:
-        read_arguments(words)
-    said = capsys.readouterr()
-    assert stop.value.code == 2
-    assert message in said.err and said.err.count("\n") == 1 and said.out == ""
+    check_refusal(words, message, capsys)
 
 
 @pytest.mark.parametrize("command", ["analyse", "compare"])

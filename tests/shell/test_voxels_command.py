@@ -7,12 +7,11 @@ import json
 import os
 import signal
 import subprocess
-import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
+from shell_runs import BARE, ROOT, report_of, run
 
 from freecad_trabecula.core.meshes import is_closed, mesh_volume
 from freecad_trabecula.core.stl import read_stl, write_stl
@@ -21,9 +20,6 @@ from freecad_trabecula.core.voxels.blocks import block_mesh
 from freecad_trabecula.core.voxels.chosen_fields import smooth_noise
 from freecad_trabecula.core.voxels.table_files import read_tables
 
-ROOT = Path(__file__).resolve().parents[2]
-#: -S leaves out the folders where numpy is: a Python with the standard library alone.
-BARE = [sys.executable, "-S", "-m", "freecad_trabecula"]
 FILES = {
     *("alpha.csv", "beta.csv", "design.npy", "design.stl", "layers", "report.json", "report.md", "targets.json"),
     *("layer_counts.png", "layers.png", "tables.png", "trabeculae.png"),
@@ -33,13 +29,7 @@ SAMPLE = smooth_noise((14, 16, 18), (12.0,) * 3, Stream(1, "sample")) > 0.4
 
 
 def voxels(*words, timeout=300):
-    return subprocess.run(
-        [*BARE, "voxels", *map(str, words)], cwd=str(ROOT), capture_output=True, text=True, timeout=timeout
-    )
-
-
-def report_of(folder):
-    return json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    return run("voxels", *words, timeout=timeout)
 
 
 def margins(array):
