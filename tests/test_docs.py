@@ -176,6 +176,22 @@ def test_the_glossary_has_the_words_of_the_translations(language, column):
     assert seen >= 10
 
 
+@pytest.mark.parametrize("language, column", [("it", 2), ("de", 3)])
+def test_the_glossary_of_a_language_has_the_words_of_the_english_one(language, column):
+    def cells(page):
+        rows = [line.strip("|").split("|") for line in (DOCS / page).read_text(encoding="utf-8").splitlines()]
+        return [[cell.strip(" *") for cell in row] for row in rows if len(row) in (3, 4)]
+
+    english, own = cells("glossary.md"), cells(f"glossary.{language}.md")
+    words = [row for row in english if len(row) == 4 and row[0] not in ("word", "---")]
+    assert len(words) > 35
+    assert [(row[column], row[0]) for row in words] == [
+        (row[0], row[2]) for row in own if len(row) == 4 and row[2] not in ("Englisch", "inglese", "---")
+    ]
+    signs = [row[0] for row in english if len(row) == 3 and "." in row[0]]
+    assert [row[0] for row in own if len(row) == 3 and "." in row[0]] == signs
+
+
 def test_the_columns_in_the_page_of_files_are_those_that_are_written():
     rows = dict(
         re.findall(r"^\| `(\w+)_x\.csv` \.\.\. \| (.+) \|$", (DOCS / "files.md").read_text("utf-8"), re.MULTILINE)

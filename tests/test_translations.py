@@ -16,6 +16,8 @@ sys.path.insert(0, str(ROOT / "tools"))
 import translations  # noqa: E402
 from window_texts import Text  # noqa: E402
 
+from freecad_trabecula.core.explanations.registry import all_keys, explanation  # noqa: E402
+
 #: Functions and methods that show what they are given: places of the texts among their arguments; None: all.
 SHOWS = {
     **dict.fromkeys(
@@ -192,8 +194,23 @@ def test_texts_of_every_kind_are_found(texts):
         ("Core", "{} must be at least {}, got {}"),
         ("Core", "porosity {} % by the {} engine"),
         ("Core", "trabecular thickness"),
+        ("Core", "divergence theorem over its triangles in double precision"),
+        ("Core", "connectivity"),
+        ("Core", "numbers by two routes"),
+        ("Core", "Not all checks held: see Checks."),
+        ("Core", "{}, box of {} mm about {} mm"),
     ):
         assert Text(context, source) in texts
+
+
+def test_all_that_an_explanation_says_is_among_the_texts(texts):
+    said = {one for key in all_keys() for one in explanation(key)[1:8] if one and one != explanation(key).symbol}
+    assert len(said) > 250
+    forms = [re.compile(".*".join(map(re.escape, text.source.split("{}")))) for text in texts if text.context == "Core"]
+    # articles, formulas and units are the same everywhere
+    free = re.compile(r"[A-Z].* \d{4}\b.*|[\w^/ .²³%]*\d|[\w/%²³]{1,3}|1/mm³?")
+    left = sorted(one for one in said if not any(form.fullmatch(one) for form in forms) and not free.fullmatch(one))
+    assert left == []
 
 
 @pytest.mark.parametrize("language", translations.LANGUAGES)

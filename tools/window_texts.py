@@ -20,19 +20,22 @@ from __future__ import annotations
 import ast
 import importlib
 import json
-import re
 import sys
 import xml.etree.ElementTree as ElementTree
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Any, Dict, Iterable, Iterator, NamedTuple, Optional, Sequence, Set, Tuple
 from unittest.mock import MagicMock
+
+from core_texts import PAGES, WRITTEN, Page, Speech, callee, literal
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "freecad_trabecula"
 #: Layers below the window, whose messages are shown in it.
 BELOW = ("core", "geometry", "features", "shell/worker.py")
 MARKS = ("translate", "QT_TRANSLATE_NOOP")
+#: Functions that make a property, and the place of what it is among their arguments.
+DOCUMENTED = {"Property": 3, "result": 2, "addProperty": 3}
 
 
 class Text(NamedTuple):
@@ -66,18 +69,9 @@ def _modules(*places: str) -> Iterator[Tuple[str, ast.Module]]:
             yield str(path.relative_to(ROOT)), ast.parse(path.read_text(encoding="utf-8"))
 
 
-def _callee(call: ast.Call) -> str:
-    return getattr(call.func, "id", getattr(call.func, "attr", ""))
-
-
 def _argument(call: ast.Call, place: int, name: str = "") -> Optional[ast.expr]:
     named = next((one.value for one in call.keywords if name and one.arg == name), None)
     return named if named is not None else (call.args[place] if place < len(call.args) else None)
-
-
-def literal(node: Optional[ast.AST]) -> Optional[str]:
-    """Return the text of a string literal; None of anything else."""
-    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
 
 
 # -------------------------------------------------------------------------------------------- texts of the window
@@ -86,7 +80,7 @@ def literal(node: Optional[ast.AST]) -> Optional[str]:
 def _marked() -> Iterator[Tuple[Text, str]]:
     trees = [*_modules("gui"), ("InitGui.py", ast.parse((ROOT / "InitGui.py").read_text(encoding="utf-8")))]
     for file, tree in trees:
-        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call) and _callee(node) in MARKS):
+        for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call) and callee(node) in MARKS):
             words = [literal(node) for node in call.args[:2]]
             if None not in words:
                 yield Text(*words), file
@@ -129,7 +123,7 @@ def _choices() -> Iterator[Tuple[Text, str]]:
                 yield Text("Choices", word), _file_of(cls)
     for file, tree in _modules("gui"):
         for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
-            if _callee(call) in ("ChoiceField", "offer_words") and isinstance(call.args[0], (ast.Name, ast.Tuple)):
+            if callee(call) in ("ChoiceField", "offer_words") and isinstance(call.args[0], (ast.Name, ast.Tuple)):
                 words = _words(call.args[0], file)
                 is_open = not getattr(call.args[0], "elts", ["?"]) or getattr(call.args[0], "id", "") in ("choices",)
                 if not words and not is_open:
@@ -146,9 +140,9 @@ def _words(node: ast.expr, file: str) -> Sequence[str]:
         return _words(node.value, file)
     if literal(node):
         return [literal(node)]
-    if isinstance(node, ast.Call) and _callee(node) in ("tuple", "list") and node.args:
+    if isinstance(node, ast.Call) and callee(node) in ("tuple", "list") and node.args:
         return _words(node.args[0], file)
-    name = getattr(node, "id", "") or (_callee(node) if isinstance(node, ast.Call) else "")
+    name = getattr(node, "id", "") or (callee(node) if isinstance(node, ast.Call) else "")
     for line in ast.parse((ROOT / file).read_text(encoding="utf-8")).body:
         if isinstance(line, ast.Assign) and any(isinstance(one, ast.Name) and one.id == name for one in line.targets):
             return _words(line.value, file)
@@ -214,7 +208,7 @@ def _properties() -> Iterator[Tuple[Text, str]]:
             yield Text("App::Property", doc), _file_of(cls)
     for file, tree in _modules("features"):
         for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
-            place = DOCUMENTED.get(_callee(call))
+            place = DOCUMENTED.get(callee(call))
             if place is not None and literal(_argument(call, place, "doc")):
                 yield Text("App::Property", literal(_argument(call, place, "doc"))), file
 
@@ -224,134 +218,9 @@ def _properties() -> Iterator[Tuple[Text, str]]:
 
 def _below() -> Iterator[Tuple[Text, str]]:
     for file, tree in _modules(*BELOW):
-        for template in _Speech(tree, is_written=file.endswith(WRITTEN)).templates:
+        speech = Page(tree) if file.endswith(PAGES) else Speech(tree, is_written=file.endswith(WRITTEN))
+        for template in speech.templates:
             yield Text("Core", template), file
-
-
-class _Speech(ast.NodeVisitor):
-    """Collects the templates of what a module says."""
-
-    def __init__(self, tree: ast.Module, is_written: bool) -> None:
-        self.templates: List[str] = []
-        self._only_errors = is_written
-        self._names: List[Dict[str, List[ast.expr]]] = [_bound(tree.body)]
-        self.visit(tree)
-
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
-        """Read a function, without its docstring; its names stand for the texts that they are given."""
-        self._names.append(_bound(ast.walk(node)))
-        for line in node.body[1:] if literal(getattr(node.body[0], "value", None)) else node.body:
-            self.visit(line)
-        self._names.pop()
-
-    def visit_ClassDef(self, node: ast.ClassDef) -> None:
-        """Read a class, without its docstring."""
-        for line in node.body:
-            self.visit(line)
-
-    def visit_Expr(self, node: ast.Expr) -> None:
-        """Pass over docstrings."""
-        if literal(node.value) is None:
-            self.visit(node.value)
-
-    def visit_Raise(self, node: ast.Raise) -> None:
-        """Take what an error says."""
-        if isinstance(node.exc, ast.Call) and node.exc.args:
-            self._take(node.exc.args[0])
-
-    def visit_Call(self, node: ast.Call) -> None:
-        """Take a checked rule with what it adds, and the step of a long work, which may be one word."""
-        name = _callee(node)
-        if name in RULES:
-            self._take(RULES[name](node))
-            return
-        if name in NOT_SPOKEN:
-            return
-        if name in ("progress", "report") and len(node.args) == 3:
-            self._take(node.args[2], words=1)
-        self.generic_visit(node)
-
-    def visit_Constant(self, node: ast.Constant) -> None:
-        """Take a text of several words."""
-        if not self._only_errors and literal(node):
-            self._take(node, words=2)
-
-    def visit_JoinedStr(self, node: ast.JoinedStr) -> None:
-        """Take a text with values in it."""
-        if not self._only_errors:
-            self._take(node, words=2)
-
-    def _take(self, node: ast.expr, words: int = 1) -> None:
-        for template in self._read(node):
-            plain = re.sub(r"\{\}", " ", template)
-            is_speech = words == 1 or " " in template.strip()
-            if is_speech and len(_WORD.findall(plain)) >= min(words, 1) and not _NO_WORDS.search(template):
-                self.templates.append(template)
-
-    def _read(self, node: ast.AST, depth: int = 0) -> List[str]:
-        """All templates that an expression may give; "{}" for what is known at run time only."""
-        if literal(node) is not None:
-            return [literal(node).replace("{", "{{").replace("}", "}}")]
-        if isinstance(node, ast.JoinedStr):
-            return self._joined([self._read(one, depth) for one in node.values])
-        if isinstance(node, ast.FormattedValue):
-            return self._read(node.value, depth) if node.format_spec is None else ["{}"]
-        if isinstance(node, ast.IfExp):
-            return [*self._read(node.body, depth), *self._read(node.orelse, depth)]
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            return self._joined([self._read(node.left, depth), self._read(node.right, depth)])
-        if isinstance(node, ast.Name) and depth < 2:
-            values = next((names[node.id] for names in reversed(self._names) if node.id in names), [])
-            found = [text for value in values for text in self._read(value, depth + 1)]
-            return found if found and "{}" not in found else ["{}"]
-        return ["{}"]
-
-    @staticmethod
-    def _joined(parts: Sequence[Sequence[str]]) -> List[str]:
-        found = [""]
-        for part in parts:
-            found = [head + tail for head in found for tail in dict.fromkeys(part)]
-            if len(found) > _MOST_VARIANTS:
-                return ["".join(part[0] if len(part) == 1 else "{}" for part in parts)]
-        return found
-
-
-def _bound(nodes: Iterable[ast.AST]) -> Dict[str, List[ast.expr]]:
-    """Names that are given values by plain assignments, with all these values."""
-    found: Dict[str, List[ast.expr]] = {}
-    for node in nodes:
-        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
-            found.setdefault(node.targets[0].id, []).append(node.value)
-    return found
-
-
-def _require(call: ast.Call) -> ast.expr:
-    """What ``core.parameters.require(ok, rule, value, unit)`` says."""
-    return ast.JoinedStr([call.args[1], ast.Constant(", got "), ast.FormattedValue(ast.Constant(None), -1)])
-
-
-def _optional_module(call: ast.Call) -> ast.expr:
-    """What ``core.optional_packages.optional_module(name, purpose)`` says before the command that installs it."""
-    return call.args[1]
-
-
-#: Functions that refuse something with a rule, and what they say.
-RULES: Dict[str, Callable[[ast.Call], ast.expr]] = {"require": _require, "optional_module": _optional_module}
-#: Functions whose texts are no speech: descriptions of properties (``App::Property``), patterns.
-NOT_SPOKEN = ("Property", "result", "_f", "compile", "sub", "match", "search", "fullmatch", "split", "doc")
-DOCUMENTED = {"Property": 3, "result": 2, "addProperty": 3}
-#: Modules whose texts go into files, or explain a number with its source as the help pages do, and stay English; what
-#: they refuse is shown.
-WRITTEN = (
-    *("report_text.py", "comparison_report.py", "core/analysis/report.py", "core/report.py", "plots.py", "workbook.py"),
-    *("mesh_formats.py", "svg_layers.py", "ssl.py", "volume_files.py", "brep_text.py", "job.py", "json_values.py"),
-    *("features/scripts.py", "python_text.py", "design_numbers.py", "slice_numbers.py", "voxel_numbers.py"),
-    *("explanations/registry.py", "explanations/explanation.py", "explanations/report_rows.py"),
-    *("html_report/sections.py", "html_report/page.py", "features/report_sections.py"),
-)
-_WORD = re.compile(r"[A-Za-z]{2,}")
-_NO_WORDS = re.compile(r"[\n<\\]|%[.d]|DOI|python3 -m|https?:|->|^[a-z]+_[a-z_]+ |^[a-z]+ -|\.json|^#|^\*")
-_MOST_VARIANTS = 6
 
 
 def main() -> int:

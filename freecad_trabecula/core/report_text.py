@@ -138,7 +138,8 @@ def _inputs(job: Mapping[str, Any]) -> List[Tuple[str, str]]:
         else ""
     )
     points = "; ".join("(" + ", ".join(f"{c:g}" for c in point) + ")" for point in path["points"])
-    rows.append(("path", path["kind"] + box + (f" about {points} mm" if points else "")))
+    about = f" about {points} mm" if points else ""
+    rows.append(("path", f"{path['kind']}{box}{about}"))
     if layers["faces"]:
         rows.append(("compact layer", f"{layers['thickness']:g} mm {layers['side']} on {', '.join(layers['faces'])}"))
     if job["edits"]:

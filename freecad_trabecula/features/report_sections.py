@@ -25,6 +25,7 @@ from ..core.html_report.sections import (
     design_charts,
 )
 from ..core.job import Job
+from ..core.language import ENGLISH, Language, Words
 from ..core.report import BodyFigures, Outcome, report_record
 from ..core.stl import whole_file
 from ..core.voxels.report import design_record
@@ -51,7 +52,11 @@ class Told(NamedTuple):
 
 
 def write_report(
-    document: FreeCAD.Document, path: Union[str, Path], title: str = "", pictures: Optional[Pictures] = None
+    document: FreeCAD.Document,
+    path: Union[str, Path],
+    title: str = "",
+    pictures: Optional[Pictures] = None,
+    language: Language = ENGLISH,
 ) -> Sequence[str]:
     """Write a report of all in a document into one HTML file; return what could not be told.
 
@@ -63,6 +68,8 @@ def write_report(
         None means the document's label.
     pictures : mapping of object name to Pictures
         Views that the window took.
+    language : Language
+        The window hands over its own.
 
     Raises
     ------
@@ -84,14 +91,14 @@ def write_report(
     >>> "Analysis Envelope" in open(path, encoding="utf-8").read()
     True
     """
-    told = sections_of(document, pictures)
-    page = report_page(told.sections, title or document.Label, told.notes)
+    told = sections_of(document, pictures, language.words)
+    page = report_page(told.sections, title or document.Label, told.notes, language)
     with whole_file(path) as file:
         file.write(page.encode("utf-8"))
     return told.notes
 
 
-def sections_of(document: FreeCAD.Document, pictures: Optional[Pictures] = None) -> Told:
+def sections_of(document: FreeCAD.Document, pictures: Optional[Pictures] = None, words: Words = str) -> Told:
     """Return the sections of a document's report, and what could not be told: objects in error, designs not built.
 
     Raises
@@ -105,7 +112,7 @@ def sections_of(document: FreeCAD.Document, pictures: Optional[Pictures] = None)
         for cls, make in _MAKERS.items():
             if is_a(obj, cls):
                 try:
-                    sections.append(make(obj, tuple((pictures or {}).get(obj.Name, ()))))
+                    sections.append(make(obj, tuple((pictures or {}).get(obj.Name, ())), words))
                 except TrabeculaError as error:
                     notes.append(f"{obj.Label}: {error}")
     sections += _comparison(document)
@@ -118,7 +125,7 @@ def sections_of(document: FreeCAD.Document, pictures: Optional[Pictures] = None)
 # ---------------------------------------------------------------------------------------------------- the sections
 
 
-def _design(wireframe: Any, pictures: Tuple[Picture, ...]) -> Section:
+def _design(wireframe: Any, pictures: Tuple[Picture, ...], words: Words) -> Section:
     scaffold = next((one for one in products_of(wireframe) if is_a(one, Scaffold) and one.EngineUsed), None)
     if scaffold is None:
         raise ParameterError("a design must have its scaffold to be told of: build it first")
@@ -134,7 +141,7 @@ def _design(wireframe: Any, pictures: Tuple[Picture, ...]) -> Section:
         tuple(wireframe.Warnings),
     )
     record = dict(report_record(outcome), name=wireframe.Label)
-    return Section(DESIGN, record, pictures, tuple(design_charts(record)))
+    return Section(DESIGN, record, pictures, tuple(design_charts(record, words)))
 
 
 def _job(wireframe: Any, scaffold: Any) -> Job:
@@ -168,13 +175,13 @@ def _body_figures(scaffold: Any) -> BodyFigures:
     )
 
 
-def _analysis(obj: Any, pictures: Tuple[Picture, ...]) -> Section:
+def _analysis(obj: Any, pictures: Tuple[Picture, ...], words: Words) -> Section:
     analysis = analysis_of(obj)
     record = dict(analysis_record(analysis, versions=versions(*_PACKAGES)), name=obj.Label)
-    return Section(ANALYSIS, record, pictures, tuple(analysis_charts(analysis)))
+    return Section(ANALYSIS, record, pictures, tuple(analysis_charts(analysis, words)))
 
 
-def _voxels(obj: Any, pictures: Tuple[Picture, ...]) -> Section:
+def _voxels(obj: Any, pictures: Tuple[Picture, ...], words: Words) -> Section:
     design = voxel_design_of(obj)
     record = design_record(design, obj.Label, obj.Seconds, versions=versions(*_PACKAGES))
     volume = obj.MeshVolume.Value

@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, List
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from .help_pages import CONTENTS, DOCS, GLOSSARY, column_shares, page_of_hits, slug
+from .help_pages import CONTENTS, DOCS, GLOSSARY, column_shares, page_in, page_of_hits, slug
+from .language import language
 from .qt import WISHES, icon, small_button
 
 translate = FreeCAD.Qt.translate
@@ -67,6 +69,8 @@ class PageView(QtGui.QTextBrowser):
         path = self.source().resolved(url).toLocalFile()
         if url.fileName().lower().endswith((".png", ".svg")):
             return self._picture(path)
+        if path.endswith(".md") and DOCS in Path(path).parents:
+            url = QtCore.QUrl.fromLocalFile(str(DOCS / page_in(language(), Path(path).relative_to(DOCS).as_posix())))
         return super().loadResource(kind, url)
 
     def _picture(self, path: str) -> Any:

@@ -45,6 +45,18 @@ def page_of_command(name: str) -> str:
     return f"commands/{short}{'s' if member else ''}.md"
 
 
+def page_in(language: str, page: str) -> str:
+    """Return a page, within the docs, in a language if there is one, else the English one.
+
+    Examples
+    --------
+    >>> page_in("de", "glossary.md"), page_in("de", "method.md"), page_in("en", "glossary.md")
+    ('glossary.de.md', 'method.md', 'glossary.md')
+    """
+    other = f"{page[: -len('.md')]}.{language}.md"
+    return other if (DOCS / other).is_file() else page
+
+
 def slug(heading: str) -> str:
     """Return a heading as a forge writes it behind the # of a link.
 
@@ -73,8 +85,8 @@ def passages_of(text: str) -> Iterator[Tuple[str, str]]:
 
 
 def pages() -> List[str]:
-    """Return the pages within the docs, the table of contents first."""
-    names = sorted(path.relative_to(DOCS).as_posix() for path in DOCS.rglob("*.md"))
+    """Return the English pages within the docs, the table of contents first."""
+    names = sorted(path.relative_to(DOCS).as_posix() for path in DOCS.rglob("*.md") if "." not in path.stem)
     return sorted(names, key=lambda name: (name != CONTENTS, name.count("/"), name))
 
 

@@ -26,7 +26,8 @@ _NUMBER = re.compile(
     r"(?<!Eq\. )(?<!thesis )(?<!ch\. )(?<![\w./',])-?(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+\.\d+(?:e[+-]?\d+)?)"
     r"(?![\w/']|[.,]\d)"
 )
-_LEAST_LETTERS = 4  # of a template, below which it fits anything
+_LEAST_LETTERS = 4  # of a template, below which it fits anything but numbers
+_NUMERAL = re.compile(r"[-+]?\d")
 _DEPTH = 4  # of messages in messages
 
 
@@ -137,7 +138,7 @@ def _in_words(text: str, depth: int, code: str, sign: str) -> str:
     fitting = [
         (one, found)
         for one in templates
-        if one.longest in text
+        if one.longest in text and (one.letters >= _LEAST_LETTERS or _NUMERAL.match(text))
         for found in [_pattern(one.pieces).fullmatch(text)]
         if found
     ]
@@ -175,7 +176,7 @@ def _speech(code: str) -> Tuple[Dict[str, str], List[_Template]]:
             continue
         pieces = [piece.replace("{{", "{").replace("}}", "}") for piece in _PLACE.split(source)]
         letters = sum(len(re.findall(r"\w", piece)) for piece in pieces)
-        if letters >= _LEAST_LETTERS:
+        if letters:
             templates.append(_Template(tuple(pieces), max(pieces, key=len), letters, source, target))
     return fixed, templates
 

@@ -14,8 +14,9 @@ from PySide import QtCore, QtGui
 
 from .. import make
 from ..core.html_report.sections import Picture
+from ..core.language import Language
 from ..features.relations import products_of, type_of
-from .language import in_words
+from .language import choice, in_words, language
 from .transactions import say
 
 translate = FreeCAD.Qt.translate
@@ -41,10 +42,16 @@ def write(document: Any, path: str) -> None:
     TrabeculaError
         If there is nothing to tell, or the file cannot be written.
     """
-    notes = make.write_report(document, path, pictures=views_of(document))
+    notes = make.write_report(document, path, pictures=views_of(document), language=Language(language(), report_words))
     text = translate("Trabecula", "{} was written").format(path)
     say(text + "".join(f"; {in_words(note)}" for note in notes))
     QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path))
+
+
+def report_words(text: str) -> str:
+    """Return a text of a report in the window's language: a word that stands in a combo box too, or what core says."""
+    shown = choice(text)
+    return in_words(text) if shown == text else shown
 
 
 def views_of(document: Any) -> Dict[str, Sequence[Picture]]:

@@ -39,7 +39,7 @@ def why_html(keys: Sequence[str], found: Found = nothing_found) -> str:
     }
     parts = []
     for key in keys:
-        rows = explanation(key).rows(_found(found, key))
+        rows = explanation(key).rows(_found(found, key), in_words)
         parts.append(f"<p><b>{_text(rows[0][1])}</b></p><table cellspacing='3'>")
         parts += [
             f"<tr><td style='color:gray'>{words[word]}&nbsp;</td><td>{_text(text)}</td></tr>" for word, text in rows[1:]
@@ -56,7 +56,7 @@ def _found(found: Found, key: str) -> Sequence[str]:
 
 
 def _text(text: str) -> str:
-    return _DOI.sub(r'<a href="https://doi.org/\1">DOI \1</a>', escape(with_powers(in_words(text))))
+    return _DOI.sub(r'<a href="https://doi.org/\1">DOI \1</a>', escape(with_powers(text)))
 
 
 class WhyPopup(QtGui.QLabel):

@@ -1626,9 +1626,29 @@
         <translation> (geschlossen: zuerst einen Volumenkörper daraus machen)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> (the widest gap: {} mm)</source>
+        <translation> (die breiteste Lücke: {} mm)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source> ({} % of it lie outside any block of 2 x 2 x 2 voxels)</source>
+        <translation> ({} % davon liegen außerhalb jedes Blocks von 2 x 2 x 2 Voxeln)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source> ... ({} layers)</source>
         <translation> ... ({} Schichten)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source> The thesis needed {} s for alpha, beta and the layers of 103 x 94 x 103 voxels by this strategy.</source>
+        <translation> Die Dissertation brauchte {} s für alpha, beta und die Schichten von 103 x 94 x 103 Voxeln mit dieser Strategie.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source> about {} mm</source>
+        <translation> um {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
@@ -1641,14 +1661,34 @@
         <translation> und mit {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> and {} more stretches</source>
+        <translation> und {} weitere Abschnitte</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> or {}</source>
         <translation> oder {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> there twice: the material counts twice</source>
+        <translation> doppelt vorhanden: das Material zählt zweimal</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> turned against the neighbours</source>
+        <translation> gegen die Nachbarn gedreht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source> within the mask</source>
         <translation> in der Maske</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>, box of {} mm</source>
+        <translation>, Quader {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -1666,6 +1706,71 @@
         <translation>1 minus das, was der Körper zur Euler-Zahl der Struktur beiträgt, aus der er geschnitten wurde: Quaderflächen zählen halb, Kanten ein Viertel, Ecken ein Achtel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 (1 - V_solid / V_envelope), volumes by the kernel</source>
+        <translation>100 (1 - V_solid / V_envelope), Volumen vom Kern</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>100 (1 - sliced area / area of the envelope's slice)</source>
+        <translation>100 (1 - Schnittfläche / Fläche des Hüllkörperschnitts)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 (V_envelope - V_scaffold) / V_envelope, volumes by the divergence theorem over the triangles of what is exported</source>
+        <translation>100 (V_envelope - V_scaffold) / V_envelope, Volumen nach dem Divergenzsatz über die Dreiecke dessen, was exportiert wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 V_union / V_envelope, the union by the engine, before loose pieces are taken away or voids filled</source>
+        <translation>100 V_union / V_envelope, Vereinigung durch das Verfahren, bevor lose Teile entfernt oder Hohlräume gefüllt werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 V_union / V_envelope, the union of the rods by parallel rays through their triangles, with its standard error; loose pieces stay</source>
+        <translation>100 V_union / V_envelope, Vereinigung der Stäbe mit parallelen Strahlen durch ihre Dreiecke, mit Standardfehler; lose Teile bleiben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 solid voxels / voxels of the envelope</source>
+        <translation>100 volle Voxel / Voxel des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 sum V_rod / V_envelope, crossings counted as often as they come; what the thesis added up for case 1</source>
+        <translation>100 Summe V_rod / V_envelope, Kreuzungen so oft gezählt, wie sie vorkommen; so rechnete die Dissertation bei Fall 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>100 sum of sliced areas / sum of the envelope's</source>
+        <translation>100 Summe der Schnittflächen / Summe der des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 times the mean over an axis' layers of |made - asked for| / asked for</source>
+        <translation>100 mal das Mittel über die Schichten einer Achse von |erzeugt - verlangt| / verlangt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 voxels of the largest part / solid voxels</source>
+        <translation>100 Voxel des größten Teils / volle Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 x twice the common solid voxels over the sum of both</source>
+        <translation>100 x das Doppelte der gemeinsamen vollen Voxel durch die Summe beider</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>1e-9 of it for blocks; told for smooth surfaces</source>
+        <translation>1e-9 davon bei Blöcken; bei glatten Oberflächen wird es angegeben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>2 BV / BS over the largest edge of a voxel</source>
+        <translation>2 BV / BS durch die größte Kante eines Voxels</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/path_laws.py"/>
         <source>2-point curve along the inner normals</source>
         <translation>2-Punkt-Kurve entlang der inneren Normalen</translation>
@@ -1676,14 +1781,25 @@
         <translation>3-Punkt-Kurve durch einen Konvergenzpunkt</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/engines.py"/>
-        <source>; closed layers need a Boolean</source>
-        <translation>; geschlossene Schichten brauchen eine boolesche Operation</translation>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>6e-15 on 960 planes; of solids what tessellation changes</source>
+        <translation>6e-15 auf 960 Ebenen; bei Volumenkörpern was die Triangulierung ändert</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/engines.py"/>
-        <source>; exact</source>
-        <translation>; genau</translation>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>: the mesh is not watertight</source>
+        <translation>: das Netz ist nicht dicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>A graph over the slices (thesis ch. 9): trabeculae are joined where they overlap on neighbouring slices. Its counts depend on the thickness of the layers.</source>
+        <translation>Ein Graph über die Schnitte (Dissertation Kap. 9): Trabekel sind verbunden, wo sie sich auf benachbarten Schnitten überlappen. Seine Anzahlen hängen von der Dicke der Schichten ab.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>All checks held.</source>
+        <translation>Alle Prüfungen bestanden.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
@@ -1706,9 +1822,30 @@
         <translation>BV/TV ist {} aus Dreiecken und {} aus Voxeln: Teile des Netzes überlappen sich (dann stimmen die Voxel) oder sind dünner als ein Voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Choices</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Conn over TV</source>
         <translation>Conn durch TV</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Couplings</source>
+        <translation>Kopplungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1726,10 +1863,51 @@
         <translation>DA: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Definitions</source>
+        <translation>Definitionen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Differences on shared layers</source>
+        <translation>Differenzen auf gemeinsamen Schichten</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Euler number</source>
         <translation>Euler-Zahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Exact on every layer of the three axes, but its mesh is not watertight.</source>
+        <translation>Exakt auf jeder Schicht der drei Achsen, aber das Netz ist nicht dicht.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Exact on every layer of the three axes.</source>
+        <translation>Exakt auf jeder Schicht der drei Achsen.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Exact on every layer of the three axes; the mesh is watertight.</source>
+        <translation>Exakt auf jeder Schicht der drei Achsen; das Netz ist dicht.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>FAILED</source>
+        <translation>MISSLUNGEN</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Faces and sites</source>
+        <translation>Flächen und Stellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1737,9 +1915,43 @@
         <translation>Datei, aus der der Hüllkörper stammt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>Green's theorem over the cubic pieces, exact</source>
+        <translation>Satz von Green über die kubischen Stücke, exakt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Heavy</source>
+        <translation>Stark</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Hellinger distance of the distributions of trabecular area over logarithmic bins, five per decade with borders at 10^(k/5) mm2: sqrt(sum (sqrt p - sqrt q)^2 / 2); 0 = equal, 1 = no bin shared</source>
         <translation>Hellinger-Abstand der Verteilungen der Trabekelfläche über logarithmische Klassen, fünf je Dekade mit Grenzen bei 10^(k/5) mm2: Wurzel(Summe (Wurzel p - Wurzel q)^2 / 2); 0 = gleich, 1 = keine gemeinsame Klasse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>How many designs</source>
+        <translation>Wie viele Entwürfe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Input</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Interconnectivity</source>
+        <translation>Verbundenheit der Trabekel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -1747,14 +1959,97 @@
         <translation>Kolmogorow-Smirnow-Abstand der Verteilungen der Trabekelfläche (ohne Löcher, jedes Trabekel jedes Schnitts einmal): größte Differenz der Anteile bis zu einer Fläche; ohne Klassen; 0 = gleich, 1 = getrennt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Layers of {}</source>
         <translation>Schichten von {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Leave the envelope</source>
+        <translation>Verlassen den Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Left out, since nothing mended them</source>
+        <translation>Weggelassen, da nichts sie behob</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Left out, to keep this file small:</source>
+        <translation>Weggelassen, um diese Datei klein zu halten:</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Lengths are mm. Under each table stands why its numbers are what they are.</source>
+        <translation>Längen in mm. Unter jeder Tabelle steht, warum ihre Zahlen sind, wie sie sind.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1</source>
         <translation>MIL.max durch MIL.min mit Linien durch die Voxel, bis 10 % zu niedrig; 1 = isotrop; 1 - 1/DA^2 reicht von 0 bis 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Made with {}.</source>
+        <translation>Erstellt mit {}.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Morphometry</source>
+        <translation>Morphometrie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>None: the slices came from a file of layers.</source>
+        <translation>Keins: die Schnitte kamen aus einer Schichtdatei.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Not all checks held: see Checks.</source>
+        <translation>Nicht alle Prüfungen bestanden: siehe Prüfungen.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Not exact: {} layers have other counts than asked for.</source>
+        <translation>Nicht exakt: {} Schichten haben andere Anzahlen als verlangt.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Note:</source>
+        <translation>Hinweis:</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Of {} pairs of tables drawn without regard for each other {} came to their end; {} % of their layers were compatible, and {} pairs in all layers.</source>
+        <translation>Von {} Tabellenpaaren, die ohne Rücksicht aufeinander gezogen wurden, kamen {} zu Ende; {} % ihrer Schichten waren verträglich, und {} Paare in allen Schichten.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Off</source>
+        <translation>Aus</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -1777,9 +2072,39 @@
         <translation>Pearson-Korrelation der Profile über die gemeinsamen Schichten; 1 = gleiche Form; keine bei konstantem Profil</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Pores</source>
+        <translation>Poren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Recoveries</source>
+        <translation>Behebungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Rods and plates are outer contours; the thesis classes voids with the plates, and counts every contour as a trabecula. A negative trabecular area is a void's. Porosity refers to {}.</source>
+        <translation>Stäbe und Platten sind äußere Konturen; die Dissertation rechnet Hohlräume zu den Platten und zählt jede Kontur als Trabekel. Eine negative Trabekelfläche gehört zu einem Hohlraum. Die Porosität bezieht sich auf {}.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Rods and plates as in the thesis: every contour, voids too, by area / box.</source>
+        <translation>Stäbe und Platten wie in der Dissertation: jede Kontur, auch Hohlräume, nach Fläche / Rechteck.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>Round(sliced area / area of a voxel's face), brought to one total of the three axes</source>
+        <translation>Round(Schnittfläche / Fläche einer Voxelseite), auf eine Summe der drei Achsen gebracht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Samples are laid side by side by {}; differences are against {}.</source>
         <translation>Proben liegen nebeneinander nach {}; Differenzen sind gegen {}.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Sections with the same value, as the thesis counts them, are where two curves meet.</source>
+        <translation>Schnitte mit gleichem Wert, wie die Dissertation sie zählt, liegen, wo zwei Kurven sich treffen.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/makers.py"/>
@@ -1787,9 +2112,29 @@
         <translation>Stellen {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Slice analysis</source>
+        <translation>Schnittanalyse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Slice passport</source>
+        <translation>Pass</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Sliced area (mm2)</source>
         <translation>Schnittfläche (mm2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Slices along the axes</source>
+        <translation>Schnitte entlang der Achsen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Slices of {}</source>
+        <translation>Schnitte: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1807,6 +2152,42 @@
         <translation>Probekörper {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Tables that fit</source>
+        <translation>Verträgliche Tabellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>The deltas are the common total less the sum of the counts rounded by Eq. 6.1.</source>
+        <translation>Die Deltas sind die gemeinsame Summe minus die Summe der nach Gl. 6.1 gerundeten Anzahlen.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>The design</source>
+        <translation>Der Entwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>The mesh is faulty: the numbers are not to be trusted where it is.</source>
+        <translation>Das Netz ist fehlerhaft: dort ist den Zahlen nicht zu trauen.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>The scores are in [{}]({}).</source>
+        <translation>Die Werte stehen in [{}]({}).</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>The whole run took {} s.{}</source>
+        <translation>Der ganze Lauf dauerte {} s.{}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of plates</source>
         <translation>Gesamtzahl der Platten</translation>
@@ -1815,6 +2196,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of rods</source>
         <translation>Gesamtzahl der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Totals and ranges</source>
+        <translation>Summen und Bereiche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1827,6 +2213,16 @@
         <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Voxel design</source>
+        <translation>Voxelentwurf</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Voxel design of {}</source>
+        <translation>Voxelentwurf: {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels of drawn curves</source>
         <translation>Voxel aus gezeichneten Kurven</translation>
@@ -1837,9 +2233,19 @@
         <translation>Voxel {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Warning: {}</source>
+        <translation>Warnung: {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>What was mended in the file's solid, and what looks wrong</source>
         <translation>Was am Volumenkörper der Datei repariert wurde, und was falsch aussieht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Why? Formulas, sources, second routes</source>
+        <translation>Warum? Formeln, Quellen, zweite Wege</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -2011,6 +2417,11 @@
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>ein Entwurf muss volle Voxel haben, hier 0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>a design with its scaffold, an analysis or voxels are needed</source>
+        <translation>nötig ist ein Entwurf mit seinem Gerüst, eine Analyse oder Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
@@ -2266,6 +2677,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a quantity must be one of {}, got {}</source>
         <translation>eine Größe muss eine von {} sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>a range only was sliced</source>
+        <translation>nur ein Bereich wurde geschnitten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
@@ -2533,6 +2949,16 @@
         <translation>die Ausrichtung muss eine von {} sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>all held</source>
+        <translation>alle bestanden</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>all images of a stack must have one size, {} pixels, but {} has {}</source>
         <translation>alle Bilder eines Stapels müssen eine Größe haben, {} Pixel, aber {} hat {}</translation>
@@ -2548,9 +2974,44 @@
         <translation>alle Schichten müssen die verlangten Voxel haben, aber {} haben sie nicht: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>all, processor time</source>
+        <translation>alle, Prozessorzeit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>along</source>
+        <translation>entlang</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/path_laws.py"/>
         <source>along the normal</source>
         <translation>entlang der Normalen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} no slice has any area</source>
+        <translation>entlang {} hat kein Schnitt eine Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {}</source>
+        <translation>entlang {} {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {} (the widest gap: {} mm)</source>
+        <translation>entlang {} {} (die breiteste Lücke: {} mm)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {} of at most {} mm2 left out of all counts</source>
+        <translation>entlang {} {} mit höchstens {} mm2 bei keiner Zahl mitgezählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {} of {} slices are spoilt: layers {}</source>
+        <translation>entlang {} sind {} von {} Schnitten fehlerhaft: Schichten {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -2668,6 +3129,21 @@
         <translation>Analysen müssen zum Vergleich mindestens eine Schicht von {} mm entlang {} gemeinsam haben, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>another program's slices in the tests; of solids the kernel's own sections (make.exact_slices)</source>
+        <translation>Schnitte eines anderen Programms in den Tests; bei Volumenkörpern die Schnitte des Kerns (make.exact_slices)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>area and volume of the triangles, BS/BV</source>
+        <translation>Fläche und Volumen der Dreiecke, BS/BV</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>area of an outer contour less those of its holes</source>
+        <translation>Fläche einer äußeren Kontur ohne die ihrer Löcher</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>area of the triangles, those in the box's faces (cuts) left out</source>
         <translation>Fläche der Dreiecke, ohne die in den Quaderflächen (Anschnitte)</translation>
@@ -2688,9 +3164,91 @@
         <translation>wie gezogen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>asked for</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>at</source>
+        <translation>bei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>at given heights</source>
+        <translation>auf gegebenen Höhen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most 0.2 % apart</source>
+        <translation>höchstens 0,2 % auseinander</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most {} of the envelope apart; with the field engine {}</source>
+        <translation>höchstens {} des Hüllkörpers auseinander; mit dem Feldverfahren {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most {} standard errors of the rays apart</source>
+        <translation>höchstens {} Standardfehler der Strahlen auseinander</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>at the layers' bottoms</source>
+        <translation>an der Unterseite der Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>at the layers' middles</source>
+        <translation>in der Mitte der Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>at, mm</source>
+        <translation>bei, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>available less left is the number of rods</source>
+        <translation>verfügbare minus übrige Stellen ist die Zahl der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>available sites that the coupling did not use</source>
+        <translation>verfügbare Stellen, die die Kopplung nicht nutzte</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
         <translation>Achsen einer Textur müssen drei Einheitsvektoren im rechten Winkel sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>b_u, mm</source>
+        <translation>b_u, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>b_v, mm</source>
+        <translation>b_v, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -2703,9 +3261,24 @@
         <translation>beste Schichten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>blocks of 2 x 2 x 2 voxels with two opposite corners alone of their kind, solid or void</source>
+        <translation>Blöcke von 2 x 2 x 2 Voxeln, in denen zwei gegenüberliegende Ecken allein von ihrer Art sind, voll oder leer</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
         <translation>Körper müssen von {} sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>bone fraction</source>
+        <translation>Knochenanteil</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>bone fraction BV/TV</source>
+        <translation>Knochenanteil BV/TV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2728,6 +3301,16 @@
         <translation>Knochenvolumenanteil aus Voxeln</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>border a_x, a_y, a_z, mm</source>
+        <translation>Rand a_x, a_y, a_z, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>both routes</source>
+        <translation>beide Wege</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>bounds and sum must not be negative, got {}</source>
         <translation>Grenzen und Summe dürfen nicht negativ sein, hier {}</translation>
@@ -2735,7 +3318,12 @@
     <message>
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>branches</source>
-        <translation>Verzweigungen</translation>
+        <translation>Äste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>branches a mm</source>
+        <translation>Äste je mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2743,9 +3331,41 @@
         <translation>Äste je mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>branches: chains of trabeculae that go on without an event</source>
+        <translation>Äste: Ketten von Trabekeln, die ohne Ereignis weitergehen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>building the {}</source>
         <translation>{} wird erzeugt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>by another</source>
+        <translation>auf dem anderen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>by one route</source>
+        <translation>auf einem Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>c_u, mm</source>
+        <translation>c_u, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>c_v, mm</source>
+        <translation>c_v, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/marching.py"/>
@@ -2756,6 +3376,11 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>casting rays</source>
         <translation>Strahlen werden verfolgt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>cavities found from the shells of the scaffold and from those of the channels</source>
+        <translation>Hohlräume, gefunden aus den Hüllen des Gerüsts und aus denen der Kanäle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -2778,6 +3403,12 @@
         <translation>Ketten von Trabekeln, die von Schnitt zu Schnitt weitergehen, jedes überlappt genau eines des nächsten, durch den Abstand vom ersten zum letzten Schnitt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>changes by hand</source>
+        <translation>Änderungen von Hand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>channels</source>
         <translation>Kanäle</translation>
@@ -2789,6 +3420,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
         <source>checks</source>
         <translation>Prüfungen</translation>
     </message>
@@ -2798,15 +3430,37 @@
         <translation>misslungene Prüfungen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>choice</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>choice of the convergence point</source>
         <translation>die Wahl des Konvergenzpunkts</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>clock time of cutting the channels</source>
+        <translation>Uhrzeit für das Schneiden der Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>clock time of targets, design and mesh</source>
+        <translation>Uhrzeit für Zielwerte, Entwurf und Netz</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>closed cavities</source>
         <translation>geschlossene Hohlräume</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>closed contour</source>
+        <translation>geschlossene Kontur</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -2814,9 +3468,29 @@
         <translation>geschlossene Schichten brauchen eine boolesche Operation, die sie aus den Stäben nimmt, und dafür manifold3d: {}; oder nicht geschlossene Schichten wählen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>closed shells of its triangles, the voids inside one counted with it</source>
+        <translation>geschlossene Hüllen seiner Dreiecke, innere Hohlräume mit ihnen gezählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>closed shells of their triangles, the holes inside one counted with it</source>
+        <translation>geschlossene Hüllen ihrer Dreiecke, innere Löcher mit ihnen gezählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>closed voids</source>
+        <translation>geschlossene Hohlräume</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
         <translation>geschlossene Hohlräume sind {} des Hüllkörpers: viele Kanäle haben keinen Ausgang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>co-ordinate along the axis, mm</source>
+        <translation>Koordinate entlang der Achse, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2834,9 +3508,50 @@
         <translation>Koordinaten von Dreiecken müssen endlich sein, hier nan oder unendlich mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>common total less the sum of an axis' rounded counts</source>
+        <translation>gemeinsame Summe minus die Summe der gerundeten Anzahlen einer Achse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>compact layer</source>
+        <translation>kompakte Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>components (6-neighbours)</source>
+        <translation>Teile (6 Nachbarn)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected channels</source>
+        <translation>zusammenhängende Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>connected parts</source>
         <translation>zusammenhängende Teile</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the channels that touch no face of the envelope</source>
+        <translation>zusammenhängende Teile der Kanäle, die keine Fläche des Hüllkörpers berühren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the scaffold</source>
+        <translation>zusammenhängende Teile des Gerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the scaffold that channels cut off all round; they are taken away unless they are to be kept</source>
+        <translation>zusammenhängende Teile des Gerüsts, die Kanäle ringsum abtrennen; sie werden entfernt, wenn sie nicht behalten werden sollen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>connectivity</source>
+        <translation>Konnektivität</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2849,14 +3564,44 @@
         <translation>Kontakte</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by a corner alone</source>
         <translation>Kontakte nur über eine Ecke</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by an edge alone</source>
         <translation>Kontakte nur über eine Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contour filter, closed, mm</source>
+        <translation>Konturfilter, geschlossen, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contour filter, open, mm</source>
+        <translation>Konturfilter, offen, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contours a slice</source>
+        <translation>Konturen je Schnitt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contours counted above, mm2</source>
+        <translation>Konturen gezählt ab mehr als, mm2</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2869,9 +3614,74 @@
         <translation>Konturen müssen in der Reihenfolge ihrer Ebenen liegen, 0..{}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours of more area than the least</source>
+        <translation>Konturen mit mehr als der Mindestfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours of more area than the least on a slice, holes among them: the thesis' number of trabeculae</source>
+        <translation>Konturen eines Schnitts mit mehr als der Mindestfläche, auch Löcher: die Trabekelzahl der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours that are no holes</source>
+        <translation>Konturen, die keine Löcher sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours that are no rods, voids among them (their area is negative)</source>
+        <translation>Konturen, die keine Stäbe sind, auch Hohlräume (ihre Fläche ist negativ)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>contours were filtered</source>
+        <translation>Konturen wurden gefiltert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>contours were offset</source>
+        <translation>Konturen wurden versetzt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>contours were smoothed</source>
+        <translation>Konturen wurden geglättet</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours whose area is at least 0.6 of their box</source>
+        <translation>Konturen, deren Fläche mindestens 0,6 ihres Rechtecks ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>count of the pairs that were coupled</source>
+        <translation>Anzahl der gekoppelten Paare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count of the solid voxels</source>
+        <translation>Anzahl der vollen Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count of the solid voxels of the layer</source>
+        <translation>Anzahl der vollen Voxel der Schicht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/entropy_counts.py"/>
         <source>counting by entropy</source>
         <translation>Zählung durch Entropie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>counting it anew</source>
+        <translation>erneutes Zählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
@@ -2882,6 +3692,16 @@
         <location filename="../../freecad_trabecula/core/voxels/sampled_tables.py"/>
         <source>counting tables</source>
         <translation>Tabellen werden gezählt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>counts as often as it overlaps</source>
+        <translation>zählt so oft, wie es sich überlappt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>counts once</source>
+        <translation>zählt einmal</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -2899,6 +3719,12 @@
         <translation>d1 und d2 müssen sich auf der Fläche um mindestens 1 Grad unterscheiden, hier {} Grad</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>definition</source>
+        <translation>Definition</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>degree of anisotropy</source>
         <translation>Anisotropiegrad</translation>
@@ -2909,9 +3735,20 @@
         <translation>Anisotropiegrad aus Dreiecken</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>delta</source>
+        <translation>Delta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>densities must be 0 to 1, got {} in layer {} along {}</source>
         <translation>Dichten müssen 0 bis 1 sein, hier {} in Schicht {} entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>design</source>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
@@ -2939,6 +3776,11 @@
         <translation>Entwürfe mit den Tabellen dieses Entwurfs</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>diameter of the circle, or side of the square through the corners, as drawn from the law of the pores</source>
+        <translation>Durchmesser des Kreises oder Seite des Quadrats durch die Ecken, gezogen nach dem Gesetz der Poren</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the solid</source>
         <translation>Durchmesser der größten Kugel im Material</translation>
@@ -2949,9 +3791,50 @@
         <translation>Durchmesser der größten Kugel im Hohlraum</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference half way along the shared stretch, linear between the layers' middles</source>
+        <translation>Differenz auf halbem Weg der gemeinsamen Strecke, linear zwischen den Mitten der Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference in the middle</source>
+        <translation>Differenz in der Mitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference of the largest size over the shared layers, with its sign; at: the middle of its layer</source>
+        <translation>betragsmäßig größte Differenz über die gemeinsamen Schichten, mit Vorzeichen; bei: die Mitte ihrer Schicht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>distances</source>
         <translation>Abstände</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over its triangles</source>
+        <translation>Divergenzsatz über seine Dreiecke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over its triangles in double precision</source>
+        <translation>Divergenzsatz über seine Dreiecke in doppelter Genauigkeit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over the triangles of union of the rods and envelope</source>
+        <translation>Divergenzsatz über die Dreiecke aus Vereinigung der Stäbe und Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over their triangles</source>
+        <translation>Divergenzsatz über ihre Dreiecke</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -2994,6 +3877,22 @@
         <translation>jede Ecke muss drei Koordinaten haben</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>edges at which two solid voxels meet across, the other two being void</source>
+        <translation>Kanten, an denen sich zwei volle Voxel schräg gegenüberliegen und die anderen zwei leer sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>end sections by size</source>
+        <translation>Endquerschnitte nach Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>engine</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
@@ -3003,6 +3902,34 @@
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>envelope less rods</source>
         <translation>Hüllkörper minus Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>equal layers</source>
+        <translation>gleiche Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>equal layers, and pairs of neighbours between which the curves cross</source>
+        <translation>gleiche Schichten und Nachbarpaare, zwischen denen sich die Kurven kreuzen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>equal numbers</source>
+        <translation>gleiche Zahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>equal numbers on every layer of the three axes, or the design is refused</source>
+        <translation>gleiche Zahlen auf jeder Schicht der drei Achsen, sonst wird der Entwurf abgelehnt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>equal numbers, or the scaffold is refused</source>
+        <translation>gleiche Zahlen, sonst wird das Gerüst abgelehnt</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -3018,6 +3945,21 @@
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>estimate by rays</source>
         <translation>Schätzung mit Strahlen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>estimated area of the end sections</source>
+        <translation>geschätzte Fläche der Endquerschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>estimated area s^2, mm2</source>
+        <translation>geschätzte Fläche s^2, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>estimated porosity</source>
+        <translation>geschätzte Porosität</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3070,9 +4012,49 @@
         <translation>genaue Schnitte sind die eines Volumenkörpers, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>face 1</source>
+        <translation>Fläche 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>face 2</source>
+        <translation>Fläche 2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>face sites</source>
         <translation>Stellen der Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets that are there twice</source>
+        <translation>doppelt vorhandene Facetten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets that run through others</source>
+        <translation>Facetten, die durch andere gehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets turned against their neighbours</source>
+        <translation>gegen ihre Nachbarn gedrehte Facetten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets without area</source>
+        <translation>Facetten ohne Fläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -3083,6 +4065,11 @@
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>failed, left out</source>
         <translation>misslungen, weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>fault</source>
+        <translation>Fehler</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -3096,6 +4083,29 @@
         <translation>Feld</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>fill rule</source>
+        <translation>Füllregel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>final sites 1</source>
+        <translation>Stellen 1 am Ende</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>final sites 2</source>
+        <translation>Stellen 2 am Ende</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
         <translation>Doppelte werden gesucht</translation>
@@ -3106,9 +4116,45 @@
         <translation>Teile werden gesucht</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>floating voxels</source>
+        <translation>schwebende Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>gap fill, iterations</source>
+        <translation>Lücken schließen, Durchgänge</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>gap fill, maximum, mm</source>
+        <translation>Lücken schließen, höchstens, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
         <translation>gegebene Tabellen brauchen eine Strategie, die Schichten aus ihnen füllt ({}), hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>greatest</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>half a layer (a whole one with planes at bottoms) times the total variation of the sliced area: Niederreiter 1992, DOI 10.1137/1.9781611970081</source>
+        <translation>eine halbe Schicht (eine ganze mit Ebenen an der Unterseite) mal die Gesamtvariation der Schnittfläche: Niederreiter 1992, DOI 10.1137/1.9781611970081</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>half a layer's variation</source>
+        <translation>Variation einer halben Schicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3136,6 +4182,11 @@
         <translation>Höhen von Ebenen müssen endlich sein und aufsteigen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>how often a faulty rod was drawn anew until it was sound</source>
+        <translation>wie oft ein fehlerhafter Stab neu gezogen wurde, bis er fehlerfrei war</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
         <translation>Bilder müssen von der Art {} sein, hier {}</translation>
@@ -3144,6 +4195,31 @@
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images of this kind need Pillow</source>
         <translation>Bilder dieser Art brauchen Pillow</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>in the envelope</source>
+        <translation>im Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>in the middle</source>
+        <translation>in der Mitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>initial sites 1</source>
+        <translation>Stellen 1 am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>initial sites 2</source>
+        <translation>Stellen 2 am Anfang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>intercepts of lines through the voxels, BS/BV.vox</source>
+        <translation>Durchstoßungen von Linien durch die Voxel, BS/BV.vox</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
@@ -3171,9 +4247,19 @@
         <translation>seine Fläche, bisher {}, ist jetzt Face{} von {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>its own end</source>
+        <translation>sein eigenes Ende</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>its standard deviation</source>
         <translation>ihre Standardabweichung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>its volume against the voxels'</source>
+        <translation>sein Volumen gegen das der Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
@@ -3196,14 +4282,44 @@
         <translation>verbindet die Stellen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>junctions a mm</source>
+        <translation>Verzweigungen je mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
         <translation>Verzweigungen je mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>junctions: splits and joins</source>
+        <translation>Verzweigungen: Teilungen und Verbindungen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>largest alpha, beta</source>
+        <translation>größtes alpha, beta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>largest balls</source>
         <translation>größte Kugeln</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>largest difference</source>
+        <translation>größte Differenz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>largest of the tables alpha and beta</source>
+        <translation>größter Wert der Tabellen alpha und beta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -3226,6 +4342,11 @@
         <translation>größter Wert von b minus größter von a über die gemeinsamen Schichten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>layer thickness, mm</source>
+        <translation>Schichtdicke, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layer {} along {}</source>
         <translation>Schicht {} entlang {}</translation>
@@ -3246,9 +4367,21 @@
         <translation>Schicht {} muss als Volumenkörper die {} mm3 ihrer Voxel enthalten, der Kern gibt {} mm3</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <source>layers</source>
         <translation>Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>layers N x M x P</source>
+        <translation>Schichten N x M x P</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>layers added to it</source>
+        <translation>angefügte Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3276,9 +4409,34 @@
         <translation>Schichten auf scharf gebogenen Flächen brauchen das Paket scipy</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>layers whose middles (or bottoms) lie in the body</source>
+        <translation>Schichten, deren Mitten (oder Unterseiten) im Körper liegen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
         <translation>Schichten {} entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>least</source>
+        <translation>kleinster</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>least and greatest of the variants</source>
+        <translation>kleinster und größter Wert der Varianten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>least and greatest of the variants' porosities</source>
+        <translation>kleinste und größte Porosität der Varianten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>least cap on alpha and beta with which a table has the layers' sums</source>
+        <translation>kleinste Grenzen für alpha und beta, mit denen eine Tabelle die Summen der Schichten hat</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -3291,9 +4449,29 @@
         <translation>verlässt den Hüllkörper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>left out by smoothing</source>
+        <translation>beim Glätten weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>left out by the filter</source>
+        <translation>vom Filter weggelassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
+        <translation>Länge der Probe entlang X, Y, Z durch die Kante des Voxels, gerundet</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
         <translation>Tabellen werden ausgeglichen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>lines through the voxels, DA</source>
+        <translation>Linien durch die Voxel, DA</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3311,6 +4489,22 @@
         <translation>Suche nach sich kreuzenden Dreiecken</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>loops</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>loops: ways that part and meet again</source>
+        <translation>Schleifen: Wege, die sich trennen und wieder treffen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>loose</source>
+        <translation>lose Teile</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>loose pieces</source>
         <translation>lose Teile</translation>
@@ -3321,9 +4515,55 @@
         <translation>lose Teile sind {} des Hüllkörpers: die Kanäle zerschneiden das Gerüst</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>loose pieces taken away</source>
+        <translation>entfernte lose Teile</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
         <translation>m (geschätzt: der Körper wäre {} mm groß)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>manual design a rod, s (thesis 2.3.3)</source>
+        <translation>Entwurf eines Stabs von Hand, s (Dissertation 2.3.3)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean bone fraction</source>
+        <translation>mittlerer Knochenanteil</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>mean bone fraction, %</source>
+        <translation>mittlerer Knochenanteil, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>mean bone fraction, along {} against {}</source>
+        <translation>mittlerer Knochenanteil, entlang {} gegen {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>mean deviation</source>
+        <translation>mittlere Abweichung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>mean deviation of the trabeculae</source>
+        <translation>mittlere Abweichung der Trabekel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean difference</source>
+        <translation>mittlere Differenz</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -3334,6 +4574,11 @@
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean of b less mean of a over the shared layers</source>
         <translation>Mittel von b minus Mittel von a über die gemeinsamen Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean over the shared layers of sample less first sample</source>
+        <translation>Mittel über die gemeinsamen Schichten von Probe minus erster Probe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3351,6 +4596,31 @@
         <translation>mittlere Überlappung, %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>mean porosity of the variants</source>
+        <translation>mittlere Porosität der Varianten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean sliced area</source>
+        <translation>mittlere Schnittfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>mean sliced area, mm2</source>
+        <translation>mittlere Schnittfläche, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>mean thickness of the sample</source>
+        <translation>mittlere Dicke der Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>mean thickness of the sample (2 BV/BS), voxels</source>
+        <translation>mittlere Dicke der Probe (2 BV/BS), Voxel</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean trabecular area of b less that of a</source>
         <translation>mittlere Trabekelfläche von b minus die von a</translation>
@@ -3364,6 +4634,17 @@
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>measuring triangles</source>
         <translation>Dreiecke werden vermessen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>meetings</source>
+        <translation>Treffpunkte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>mended by</source>
+        <translation>behoben durch</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/recovery.py"/>
@@ -3387,6 +4668,11 @@
         <translation>Netz {}{} von {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>mix of sheets and rods must be 0 to 4, got {}</source>
         <translation>die Mischung von Lamellen und Stäben muss 0 bis 4 sein, hier {}</translation>
@@ -3395,6 +4681,16 @@
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>mm (guessed: the body would be {} mm large)</source>
         <translation>mm (geschätzt: der Körper wäre {} mm groß)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>more than 2 % is noted: the mesh overlaps itself</source>
+        <translation>mehr als 2 % wird gemeldet: das Netz überlappt sich selbst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>most solid voxels in a line (x, z) and (y, z)</source>
+        <translation>meiste volle Voxel in einer Linie (x, z) und (y, z)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -3433,9 +4729,19 @@
         <translation>dürfen nicht negativ sein</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>nine tenths of the void have spheres up to it</source>
         <translation>neun Zehntel des Hohlraums haben Kugeln bis zu diesem Durchmesser</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>no</source>
+        <translation>nein</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
@@ -3473,6 +4779,16 @@
         <translation>kein Punkt der Fläche liegt nahe ({}) mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>no rod may be left out</source>
+        <translation>kein Stab darf weggelassen sein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>no sample came to its end</source>
+        <translation>keine Ziehung kam zu Ende</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
         <translation>keine Form</translation>
@@ -3493,6 +4809,31 @@
         <translation>keine Tabelle hat diese Summen: Spalten {} verlangen {}, und die Zeilen können ihnen {}{} geben</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>no tolerance: another rule</source>
+        <translation>keine Toleranz: eine andere Regel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>no tolerance: it says how far variants are from chance</source>
+        <translation>keine Toleranz: es sagt, wie weit Varianten vom Zufall entfernt sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>no tolerance: the estimate is the thesis'</source>
+        <translation>keine Toleranz: die Schätzung ist die der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>no tolerance: voxels round the surface</source>
+        <translation>keine Toleranz: Voxel rund um die Oberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
         <translation>keines von {} Tabellenpaaren war verträglich; die Paarung 'constraint' findet sie durch Konstruktion, und kleinere Grenzen machen sie wahrscheinlicher</translation>
@@ -3503,9 +4844,34 @@
         <translation>keiner von {} versuchten Punkten liegt in der Fläche von {} mm2</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>normals of the triangles, DA.mesh</source>
+        <translation>Normalen der Dreiecke, DA.mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>not all held</source>
+        <translation>nicht alle bestanden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>not looked for</source>
+        <translation>nicht gesucht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>nothing is left of the envelope: the rods fill it</source>
         <translation>vom Hüllkörper bleibt nichts: die Stäbe füllen ihn</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>number of</source>
+        <translation>Anzahl der</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3513,9 +4879,19 @@
         <translation>Anzahl der Teile</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>numbers by two routes</source>
+        <translation>Zahlen auf zwei Wegen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
         <translation>Trabekelzahlen entlang {} brauchen eine Probe oder Zielwerte, die sie enthalten; hier keines</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>of</source>
+        <translation>von</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
@@ -3526,6 +4902,12 @@
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>offsetting contours</source>
         <translation>Konturen werden versetzt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>ok</source>
+        <translation>bestanden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -3553,6 +4935,21 @@
         <translation>nur {} kann in {} aufgerufen werden</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>open contour</source>
+        <translation>offene Kontur</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>open edge</source>
+        <translation>offene Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>open edges</source>
+        <translation>offene Kanten</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>operator {} is not allowed in {}</source>
         <translation>der Operator {} ist in {} nicht erlaubt</translation>
@@ -3564,13 +4961,34 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>outer contours</source>
         <translation>äußere Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>outer contours a slice</source>
+        <translation>äußere Konturen je Schnitt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>outer contours that are no rods</source>
+        <translation>äußere Konturen, die keine Stäbe sind</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>outer contours whose area is at least 0.6 of their box</source>
+        <translation>äußere Konturen, deren Fläche mindestens 0,6 ihres Rechtecks ist</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
         <translation>Umrisse der Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>output</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3581,6 +4999,16 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the void</source>
         <translation>über den Hohlraum</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>overlap of two variants</source>
+        <translation>Überlappung zweier Varianten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>overlap to expect of unrelated designs with the same layers</source>
+        <translation>zu erwartende Überlappung unabhängiger Entwürfe mit den gleichen Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
@@ -3598,6 +5026,18 @@
         <translation>Überlappungen minus Trabekel plus Teile des Graphen: Wege, die sich trennen und wieder treffen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>own definition</source>
+        <translation>eigene Definition</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>own definition (docs/method.md, section 1)</source>
+        <translation>eigene Definition (docs/method.md, Abschnitt 1)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>painting balls</source>
         <translation>Kugeln werden eingetragen</translation>
@@ -3608,9 +5048,49 @@
         <translation>die Paarung 'repeat' füllt nur Quader; 'constraint' arbeitet in einer Maske</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>pairs of the couplings that are on, less the rods that nothing mended</source>
+        <translation>Paare der eingeschalteten Kopplungen minus die Stäbe, die nichts behob</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>part of the balance of all volumes</source>
+        <translation>Teil der Bilanz aller Volumen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>parts less handles plus cavities by another program in the tests (scikit-image)</source>
+        <translation>Teile minus Henkel plus Hohlräume eines anderen Programms in den Tests (scikit-image)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>parts less handles plus cavities, of the voxels as a closed body</source>
         <translation>Teile minus Henkel plus Hohlräume der Voxel als geschlossener Körper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
+        <translation>Teile der vollen Voxel einer Schicht, Nachbarn über eine Kante ihrer Quadrate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of solid voxels, neighbours by a face</source>
+        <translation>Teile voller Voxel, Nachbarn über eine Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of void voxels, neighbours by a face, that touch no border</source>
+        <translation>Teile leerer Voxel, Nachbarn über eine Fläche, die keinen Rand berühren</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/labelling.py"/>
@@ -3618,9 +5098,24 @@
         <translation>Teile aus Voxeln und Abstände zwischen ihnen brauchen scipy</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>parts that hang together from slice to slice</source>
+        <translation>Teile, die von Schnitt zu Schnitt zusammenhängen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>pasted: recompute the document</source>
         <translation>eingefügt: das Dokument neu berechnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>path</source>
+        <translation>Pfad</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>phase</source>
+        <translation>Phase</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -3643,14 +5138,50 @@
         <translation>Teile leerer Voxel, 6 Nachbarn, die keine Quaderfläche berühren</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>pieces: {}</source>
+        <translation>Teile: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>plain sum of the rods</source>
+        <translation>einfache Summe der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>plain sum of the rods, %</source>
         <translation>einfache Summe der Stäbe, %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
         <translation>Ebenen müssen aufsteigen, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>plates</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>plates of all contours</source>
+        <translation>Platten aller Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>plates, by that rule</source>
+        <translation>Platten, nach dieser Regel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>plates, voids among them</source>
+        <translation>Platten, auch Hohlräume</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3666,6 +5197,11 @@
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>points along {} must lie apart by at least {}, got {}</source>
         <translation>Punkte entlang {} müssen mindestens {} auseinander liegen, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>points of Eq. 2.1 on a prism; points of the co-ordinate lines on other faces</source>
+        <translation>Punkte nach Gl. 2.1 auf einem Prisma; Punkte der Koordinatenlinien auf anderen Flächen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3693,6 +5229,11 @@
         <translation>Porengrößen müssen mindestens {} mm sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>pores</source>
+        <translation>Poren</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>pores and paths</source>
         <translation>Poren und Pfade</translation>
@@ -3703,9 +5244,34 @@
         <translation>Porositäten werden durch eines von {}, {} gefunden, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>porosity</source>
+        <translation>Porosität</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
         <translation>Porosität entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>porosity of a slice</source>
+        <translation>Porosität eines Schnitts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>porosity of the STEP scaffold</source>
+        <translation>Porosität des STEP-Gerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>porosity of the scaffold</source>
+        <translation>Porosität des Gerüsts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>porosity range, %</source>
+        <translation>Porosität, Bereich, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -3718,9 +5284,26 @@
         <translation>Porosität {} %, {} Stäbe ausgeschnitten; Volumenkörper und Netz unterscheiden sich um {} %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>porosity, %</source>
         <translation>Porosität, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>porosity, % (Eq. 2.2)</source>
+        <translation>Porosität, % (Gl. 2.2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>prism l x w x h, mm</source>
+        <translation>Prisma l x b x h, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>quantity</source>
+        <translation>Größe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3749,6 +5332,11 @@
         <translation>zufällige Tabellen; von allen Schichten, die sie erlauben, die im gewählten Feld höchste (lineares Programm)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>range, mm</source>
+        <translation>Bereich, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>rates of compatible tables</source>
         <translation>Anteile verträglicher Tabellen</translation>
@@ -3767,6 +5355,11 @@
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>rays per direction must be &gt;= 1, got {}</source>
         <translation>Strahlen je Richtung müssen &gt;= 1 sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rays through the rods' own triangles</source>
+        <translation>Strahlen durch die Dreiecke der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -3790,16 +5383,6 @@
         <translation>relativer L2-Abstand der Profile: Wurzel(Summe (b - a)^2 / Summe a^2) über die gemeinsamen Schichten; 0 = gleich</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>resolved (outside any block of 2 x 2 x 2 voxels): </source>
-        <translation>aufgelöst (außerhalb jedes Blocks von 2 x 2 x 2 Voxeln): </translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): </source>
-        <translation>aufgelöst ({} % davon liegen außerhalb jedes Blocks von 2 x 2 x 2 Voxeln): </translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>results must be numbers, texts, arrays or records of them, got {}</source>
         <translation>Ergebnisse müssen Zahlen, Texte, Felder oder Datensätze davon sein, hier {}</translation>
@@ -3810,19 +5393,42 @@
         <translation>Ergebnisse müssen von Klassen aus {} sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>rod</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>rod if area / box is at least</source>
+        <translation>Stab, wenn Fläche / Rechteck mindestens</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>rod {}{} of {}</source>
         <translation>Stab {}{} von {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <source>rods</source>
         <translation>Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>rods and plates by a rule that turning the part does not change (report)</source>
+        <translation>Stäbe und Platten nach einer Regel, die Drehen des Teils nicht ändert (Bericht)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>rods are coloured by one of {}, got {}</source>
         <translation>Stäbe werden nach einem von {} gefärbt, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods cut from the STEP scaffold</source>
+        <translation>aus dem STEP-Gerüst geschnittene Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -3845,6 +5451,26 @@
         <translation>Stäbe müssen geschlossene Netze sein: jeder Strahl muss so oft austreten wie eintreten, {} tun es nicht</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>rods of all contours</source>
+        <translation>Stäbe aller Konturen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods of the wireframe</source>
+        <translation>Stäbe des Drahtmodells</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods whose channels the B-Rep engine cut, of all</source>
+        <translation>Stäbe, deren Kanäle das B-Rep-Verfahren schnitt, von allen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>rods, by the rule that turning does not change</source>
+        <translation>Stäbe, nach der Regel, die Drehen nicht ändert</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>rounds of gap fill must be at least 0, got {}</source>
         <translation>die Durchgänge zum Schließen von Lücken müssen mindestens 0 sein, hier {}</translation>
@@ -3855,9 +5481,25 @@
         <translation>Zeilen- und Spaltensummen müssen übereinstimmen, hier {} und {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>sample size, bounding box, mm</source>
+        <translation>Größe der Probe, Quader, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>scaffold</source>
         <translation>Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>scaffold + channels</source>
+        <translation>Gerüst + Kanäle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3868,6 +5510,11 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope, mm3</source>
         <translation>Gerüst + Kanäle + lose Teile = Hüllkörper, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>scaffold + channels + loose pieces, each by its own triangles, against the envelope</source>
+        <translation>Gerüst + Kanäle + lose Teile, jedes mit seinen Dreiecken, gegen den Hüllkörper</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3890,15 +5537,56 @@
         <translation>Streuung der Ecken</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>score</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>score {}</source>
+        <translation>Wert {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sd</source>
+        <translation>s</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
         <translation>Nähte der Kanäle</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>second</source>
+        <translation>zweite</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>second route</source>
+        <translation>zweiter Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sections</source>
+        <translation>Querschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sections a rod</source>
+        <translation>Querschnitte je Stab</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sections per rod must be 1 or 2, got {}</source>
         <translation>Querschnitte je Stab müssen 1 oder 2 sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>seed</source>
+        <translation>Startwert</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
@@ -3911,9 +5599,29 @@
         <translation>Anteil der Konturen, die Stäbe sind (Regel der Dissertation), b minus a</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>share of solid voxels, BV/TV.vox</source>
+        <translation>Anteil voller Voxel, BV/TV.vox</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
         <translation>Anteil voller Voxel: der zweite Weg</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>share of the largest</source>
+        <translation>Anteil des größten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>share of the largest part</source>
+        <translation>Anteil des größten Teils</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>shared layers on which both values are the same number</source>
+        <translation>gemeinsame Schichten, auf denen beide Werte gleich sind</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3931,9 +5639,35 @@
         <translation>Stelle ({}, {}) geriet außerhalb ihrer Fläche, deren Linie unbemerkt den Rand kreuzte</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sites</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sites along {} must be at least 2 (Eq. 2.1 divides by n - 1), got {}</source>
         <translation>Stellen entlang {} müssen mindestens 2 sein (Gl. 2.1 teilt durch n - 1), hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites available</source>
+        <translation>verfügbare Stellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites left</source>
+        <translation>übrige Stellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sites n_x, n_y, n_z</source>
+        <translation>Stellen n_x, n_y, n_z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites of both faces that are on and that no earlier coupling used</source>
+        <translation>eingeschaltete Stellen beider Flächen, die keine frühere Kopplung nutzte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
@@ -3944,9 +5678,53 @@
         <translation>Stellen auf {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>size of the end sections</source>
+        <translation>Größe der Endquerschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>slice analysis</source>
+        <translation>Schnittanalyse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>slice comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>slice passport</source>
+        <translation>Pass</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>sliced area</source>
         <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>sliced area, mm2</source>
+        <translation>Schnittfläche, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>sliced area, mm²</source>
+        <translation>Schnittfläche, mm²</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -3959,9 +5737,30 @@
         <translation>Schnittflächen {}, hier {} mm² in Schicht {} entlang {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>slices through an open, turned or doubled place of the mesh</source>
+        <translation>Schnitte durch eine offene, gedrehte oder doppelte Stelle des Netzes</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
         <translation>Schnitte entlang {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>smallest possible caps</source>
+        <translation>kleinstmögliche Grenzen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>smallest possible caps on alpha, beta</source>
+        <translation>kleinstmögliche Grenzen für alpha, beta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3969,6 +5768,7 @@
         <translation>kleinster Wert von b minus kleinster von a über die gemeinsamen Schichten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>smoothing</source>
         <translation>Glättung</translation>
@@ -3994,6 +5794,22 @@
         <translation>Volumenkörper aus Flicken</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>solid voxels</source>
+        <translation>volle Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels outside of the largest part</source>
+        <translation>volle Voxel außerhalb des größten Teils</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels x dx dy dz</source>
+        <translation>volle Voxel x dx dy dz</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation>Volumenkörper: Stab {}{} von {}</translation>
@@ -4002,6 +5818,12 @@
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>solids of rods</source>
         <translation>Volumenkörper der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>source</source>
+        <translation>Quelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -4019,14 +5841,115 @@
         <translation>spezifische Knochenoberfläche aus Voxeln</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>spoilt slices</source>
+        <translation>fehlerhafte Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sqrt(sum (P - mean)^2 / (n - 1)); of a sample, as the thesis' repeats are</source>
+        <translation>sqrt(Summe (P - Mittel)^2 / (n - 1)); einer Stichprobe, wie bei den Wiederholungen der Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>standard deviation of the variants</source>
+        <translation>Standardabweichung der Varianten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>standard error, %</source>
         <translation>Standardfehler, %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum (x_i y_i+1 - x_i+1 y_i) / 2 over the corners of a contour, voids negative; least and greatest of the contours of more area than the least</source>
+        <translation>Summe (x_i y_i+1 - x_i+1 y_i) / 2 über die Ecken einer Kontur, Hohlräume negativ; kleinste und größte der Konturen mit mehr als der Mindestfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>sum of area x thickness, mm3</source>
+        <translation>Summe aus Fläche x Dicke, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of both axes' tolerances of the volume</source>
+        <translation>Summe der Volumentoleranzen beider Achsen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of sliced area x thickness</source>
+        <translation>Summe aus Schnittfläche x Dicke</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of sliced areas over the number of slices</source>
+        <translation>Summe der Schnittflächen durch die Zahl der Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of the areas of all contours of a slice</source>
+        <translation>Summe der Flächen aller Konturen eines Schnitts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>sum of the layers along each of the three axes</source>
+        <translation>Summe der Schichten entlang jeder der drei Achsen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the rods</source>
+        <translation>Summe der Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the rods' solids by the kernel, where the network is built</source>
+        <translation>Summe der Volumenkörper der Stäbe vom Kern, wo das Netzwerk erzeugt ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the variants' porosities over their number</source>
+        <translation>Summe der Porositäten der Varianten durch ihre Anzahl</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the volumes of the rods' solids by the kernel, crossings counted as often as they come</source>
+        <translation>Summe der Volumen der Stäbe als Volumenkörper vom Kern, Kreuzungen so oft gezählt, wie sie vorkommen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum over the rods of 30 to 75 s, by curvature of the path and number of sections</source>
+        <translation>Summe über die Stäbe von 30 bis 75 s, je nach Krümmung des Pfads und Zahl der Querschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>sums of the targets along X, Y and Z</source>
+        <translation>Summen der Zielwerte entlang X, Y und Z</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>surface of the voxels</source>
         <translation>Oberfläche der Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>surface, mm2</source>
+        <translation>Oberfläche, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>symbol</source>
+        <translation>Zeichen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
@@ -4163,6 +6086,11 @@
         <translation>die Änderung einer Stelle</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>the channels</source>
+        <translation>die Kanäle</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope</source>
         <translation>die Kanäle müssen Material übrig lassen, hier 0 mm3 Gerüst: die Stäbe füllen den ganzen Hüllkörper</translation>
@@ -4201,6 +6129,11 @@
         <location filename="../../freecad_trabecula/core/voxels/envelope_sources.py"/>
         <source>the density of an envelope must lie between 0 and 1, got {}</source>
         <translation>die Dichte eines Hüllkörpers muss zwischen 0 und 1 liegen, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>the design</source>
+        <translation>der Entwurf</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -4242,6 +6175,7 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the envelope</source>
@@ -4296,6 +6230,11 @@
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>the face has no normal at ({}) mm</source>
         <translation>die Fläche hat bei ({}) mm keine Normale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>the face's own</source>
+        <translation>die der Fläche</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4468,6 +6407,16 @@
         <translation>die Speichergrenze von {} GB ist aufgebraucht ({} GB)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the mesh does not enclose a volume</source>
+        <translation>das Netz umschließt kein Volumen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the mesh is inside out, or flat: its volume is {} mm3</source>
+        <translation>das Netz ist umgestülpt oder flach: sein Volumen ist {} mm3</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
         <source>the mesh kernel must hold a closed mesh, got an open one of {} triangles</source>
         <translation>der Netzkern muss ein geschlossenes Netz enthalten, hier ein offenes mit {} Dreiecken</translation>
@@ -4534,6 +6483,11 @@
         <translation>die Ebene bei {} mm entlang {} konnte nicht geschnitten werden: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the planes are not those of layers</source>
+        <translation>die Ebenen sind nicht die von Schichten</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/pores.py"/>
         <source>the pore at {} takes {} tangent components, got {}</source>
         <translation>die Pore bei {} braucht {} Tangentenkomponenten, hier {}</translation>
@@ -4564,19 +6518,59 @@
         <translation>das Verhältnis, ab dem eine Kontur ein Stab ist, muss in 0..1 liegen, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>the rectangle of the bounding box</source>
+        <translation>das Rechteck des umschließenden Quaders</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
         <translation>die Glättungsdurchgänge müssen 0 oder mehr sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>the same along another axis</source>
+        <translation>das gleiche entlang einer anderen Achse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the same cut by the mesh engine</source>
+        <translation>das gleiche, mit dem Netzverfahren geschnitten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the same in single precision, as it is in the file; and the balance of all volumes</source>
+        <translation>das gleiche in einfacher Genauigkeit, wie es in der Datei steht; und die Bilanz aller Volumen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>the same, net of holes, mm2</source>
+        <translation>dasselbe ohne Löcher, mm2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
-        <translation>die mittlere Dicke der Probe ist {} Voxel; unter {} sind ihre Stäbe nicht </translation>
+        <source>the sample's mean thickness is {} voxels; below {} its trabeculae are not resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): voxels of {} mm would resolve them</source>
+        <translation>die mittlere Dicke der Probe ist {} Voxel; unter {} sind ihre Trabekel nicht aufgelöst ({} % davon liegen außerhalb jedes Blocks von 2 x 2 x 2 Voxeln): Voxel von {} mm würden sie auflösen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>the sample's mean thickness is {} voxels; below {} its trabeculae are not resolved: voxels of {} mm would resolve them</source>
+        <translation>die mittlere Dicke der Probe ist {} Voxel; unter {} sind ihre Trabekel nicht aufgelöst: Voxel von {} mm würden sie auflösen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
         <translation>die Voxel der Probe müssen die Form {} haben, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>the scaffold</source>
+        <translation>das Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the scaffold, once it is built</source>
+        <translation>das Gerüst, sobald es erzeugt ist</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
@@ -4632,6 +6626,11 @@
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>the size of voxels must be &gt; 0, got {} mm</source>
         <translation>die Voxelgröße muss &gt; 0 sein, hier {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the slices' volume was not held against the mesh's: {}</source>
+        <translation>das Volumen der Schnitte wurde nicht gegen das des Netzes geprüft: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4755,6 +6754,11 @@
         <translation>die Vereinigung der Stäbe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the unit is {}; name it if this is wrong</source>
+        <translation>die Einheit ist {}; angeben, wenn das falsch ist</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>the unit must be auto or one of {}, got {}</source>
         <translation>die Einheit muss auto oder eine von {} sein, hier {}</translation>
@@ -4810,6 +6814,11 @@
         <translation>ihren eigenen Nullpunkten</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>there is no mesh</source>
+        <translation>es gibt kein Netz</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there may be at most {} heights, got {}</source>
         <translation>es darf höchstens {} Höhen geben, hier {}</translation>
@@ -4850,9 +6859,139 @@
         <translation>zu jeder Kontur gehört eine Zeile Maße, hier {}, {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>thesis</source>
+        <translation>Dissertation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis Eq. 2.1, section 4.2.2</source>
+        <translation>Dissertation Gl. 2.1, Abschnitt 4.2.2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis Eq. 2.2</source>
+        <translation>Dissertation Gl. 2.2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis Eq. 2.2, of a slice</source>
+        <translation>Dissertation Gl. 2.2, eines Schnitts</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis Eq. 5.1</source>
+        <translation>Dissertation Gl. 5.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis Eq. 6.1</source>
+        <translation>Dissertation Gl. 6.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis Eq. 6.2 and Eq. 6.6</source>
+        <translation>Dissertation Gl. 6.2 und Gl. 6.6</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
         <translation>Dissertation Kap. 9 (Verbundenheit der Trabekel); Graph der Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis chapter 9</source>
+        <translation>Dissertation Kapitel 9</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.3.3</source>
+        <translation>Dissertation Abschnitt 2.3.3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.1</source>
+        <translation>Dissertation Abschnitt 2.4.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.5, tables 4.2 and 4.5</source>
+        <translation>Dissertation Abschnitt 2.4.5, Tabellen 4.2 und 4.5</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.7</source>
+        <translation>Dissertation Abschnitt 2.4.7</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 4.3.1</source>
+        <translation>Dissertation Abschnitt 4.3.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3</source>
+        <translation>Dissertation Abschnitt 5.2.3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3.1</source>
+        <translation>Dissertation Abschnitt 5.2.3.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3.3</source>
+        <translation>Dissertation Abschnitt 5.2.3.3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.4</source>
+        <translation>Dissertation Abschnitt 5.4</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.4.2</source>
+        <translation>Dissertation Abschnitt 5.4.2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.1</source>
+        <translation>Dissertation Abschnitt 6.2.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.1, after Eq. 6.1</source>
+        <translation>Dissertation Abschnitt 6.2.1, nach Gl. 6.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.4, by Gale 1957, DOI 10.2140/pjm.1957.7.1073</source>
+        <translation>Dissertation Abschnitt 6.2.4, nach Gale 1957, DOI 10.2140/pjm.1957.7.1073</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.3.1</source>
+        <translation>Dissertation Abschnitt 6.3.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.4</source>
+        <translation>Dissertation Abschnitt 6.4</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis sections 3.3.5 and 4.2.4</source>
+        <translation>Dissertation Abschnitte 3.3.5 und 4.2.4</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis tables 4.2 and 4.5</source>
+        <translation>Dissertation Tabellen 4.2 und 4.5</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis tables 5.11, 5.12 and 5.13</source>
+        <translation>Dissertation Tabellen 5.11, 5.12 und 5.13</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
@@ -4865,9 +7004,65 @@
         <translation>durch einen zufälligen Punkt eines Quaders um ihn (Gl. 3.1)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time by hand</source>
+        <translation>Zeit von Hand</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time for a rod</source>
+        <translation>Zeit je Stab</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>time of all, s</source>
+        <translation>Zeit insgesamt, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>time of the network a rod, s</source>
+        <translation>Zeit des Netzwerks je Stab, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>time of the network, s</source>
+        <translation>Zeit des Netzwerks, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>time of the slices, processor s</source>
+        <translation>Zeit der Schnitte, Prozessor-s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time over the number of rods</source>
+        <translation>Zeit durch die Zahl der Stäbe</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
         <translation>für {} der Stelle {} wird ein Punkt gebraucht, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>tool compensation, mm</source>
+        <translation>Werkzeugkorrektur, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>total number of plates</source>
+        <translation>Gesamtzahl der Platten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>total number of rods</source>
+        <translation>Gesamtzahl der Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4880,6 +7075,11 @@
         <translation>Trabekel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>trabeculae (mean)</source>
+        <translation>Trabekel (Mittel)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>trabeculae a layer along {}</source>
         <translation>Trabekel je Schicht entlang {}</translation>
@@ -4890,14 +7090,55 @@
         <translation>Trabekel entlang {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>trabeculae of a layer</source>
+        <translation>Trabekel einer Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that appear</source>
+        <translation>Trabekel, die beginnen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that end</source>
+        <translation>Trabekel, die enden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that join</source>
+        <translation>Trabekel, die sich verbinden</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
         <translation>Trabekel, die mehrere des nächsten Schnitts überlappen (Teilungen) oder des vorigen (Verbindungen), durch diesen Abstand</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that split</source>
+        <translation>Trabekel, die sich teilen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae too small to be followed</source>
+        <translation>Trabekel, die zu klein zum Verfolgen sind</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>trabecular area</source>
         <translation>Trabekelfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabecular area range, mm2</source>
+        <translation>Trabekelfläche, Bereich, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>trabecular area, net of holes</source>
+        <translation>Trabekelfläche ohne Löcher</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4955,6 +7196,27 @@
         <translation>Dreiecke des Körpers</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>triangles of the mesh</source>
+        <translation>Dreiecke des Netzes</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>true area of the curve: it is 1.46 s^2 in the mean</source>
+        <translation>wahre Fläche der Kurve: sie ist im Mittel 1,46 s^2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>true area of the end sections</source>
+        <translation>wahre Fläche der Endquerschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>true area, mm2</source>
+        <translation>wahre Fläche, mm2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation>wahr oder falsch</translation>
@@ -4980,14 +7242,36 @@
         <translation>Vereinigung und Korrektur brauchen das Paket manifold3d</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>union by parallel rays through the rods' own triangles: no Boolean</source>
+        <translation>Vereinigung mit parallelen Strahlen durch die Dreiecke der Stäbe: ohne boolesche Operation</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>union of rods</source>
         <translation>Vereinigung der Stäbe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>union of the rods in the envelope</source>
+        <translation>Vereinigung der Stäbe im Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>union of the rods, %</source>
         <translation>Vereinigung der Stäbe, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>unit of the file</source>
+        <translation>Einheit der Datei</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
@@ -5000,14 +7284,32 @@
         <translation>unbekannter Name {} in {}; bekannt sind {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>up to 10 % low</source>
+        <translation>bis 10 % zu klein</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>up to date</source>
         <translation>aktuell</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>value of b over value of a, less 1; 0 = equal</source>
         <translation>Wert von b durch Wert von a, minus 1; 0 = gleich</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>variable</source>
+        <translation>Größe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
@@ -5030,9 +7332,34 @@
         <translation>Ecken von Stäben müssen die Form (Stäbe, Ecken, 3) haben, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>voids that no opening reaches</source>
+        <translation>Hohlräume ohne Öffnung nach außen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>voids without an opening</source>
         <translation>Hohlräume ohne Öffnung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume along</source>
+        <translation>Volumen entlang</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>volume along {}, sum of area x thickness against the mesh, mm3</source>
+        <translation>Volumen entlang {}, Summe aus Fläche x Dicke gegen das Netz, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume by slices</source>
+        <translation>Volumen aus Schnitten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume by the triangles, BV/TV</source>
+        <translation>Volumen aus den Dreiecken, BV/TV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5040,14 +7367,50 @@
         <translation>Volumen aus den Dreiecken; was sich überlappt, zählt doppelt</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of layers outside of the envelope</source>
+        <translation>Volumen der Schichten außerhalb des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the STEP scaffold</source>
+        <translation>Volumen des STEP-Gerüsts</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
         <translation>Volumen des Quaders um den Körper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the channels</source>
+        <translation>Volumen der Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the envelope</source>
+        <translation>Volumen des Hüllkörpers</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
         <translation>Volumen des Netzes und der Voxel, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the mesh by the divergence theorem</source>
+        <translation>Volumen des Netzes nach dem Divergenzsatz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the mesh of the same rods</source>
+        <translation>Volumen des Netzes der gleichen Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume of the mesh over the body's length</source>
+        <translation>Volumen des Netzes durch die Länge des Körpers</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
@@ -5055,9 +7418,44 @@
         <translation>Volumen der Stäbe, Volumenkörper gegen Netze, mm3</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the scaffold</source>
+        <translation>Volumen des Gerüsts</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation>Volumen des Gerüsts, Volumenkörper gegen Netz, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the solid by the kernel</source>
+        <translation>Volumen des Volumenkörpers vom Kern</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume of the triangles by the divergence theorem</source>
+        <translation>Volumen der Dreiecke nach dem Divergenzsatz</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the voxels</source>
+        <translation>Volumen der Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>volume of {}, mm3</source>
+        <translation>Volumen ({}), mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>volume, mm3</source>
+        <translation>Volumen, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>volume, mm³</source>
+        <translation>Volumen, mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5075,9 +7473,31 @@
         <translation>Voxelentwurf</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>voxel, mm</source>
+        <translation>Voxel, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <source>voxels</source>
         <translation>Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels asked for in a layer</source>
+        <translation>verlangte Voxel einer Schicht</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels asked for, counted by a routine of its own (core/voxels/verification.py)</source>
+        <translation>verlangte Voxel, von einer eigenen Routine gezählt (core/voxels/verification.py)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels made in a layer</source>
+        <translation>erzeugte Voxel einer Schicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -5090,14 +7510,14 @@
         <translation>Voxel müssen so groß sein wie die Schichten der Probe, {} mm entlang {}, hier {} mm, das ergibt {} Schichten der {} der Probe: sie neu in Schichten von {} mm schneiden</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>voxels of {} mm would resolve them</source>
-        <translation>Voxel von {} mm würden sie auflösen</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/by_field.py"/>
         <source>voxels where the chosen field is highest, as nearly as the counts of the layers allow</source>
         <translation>Voxel, wo das gewählte Feld am höchsten ist, so gut es die Anzahlen der Schichten erlauben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>watertight</source>
+        <translation>dicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5113,6 +7533,11 @@
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>wavelengths must be three lengths above 2 voxels, got {}</source>
         <translation>Wellenlängen müssen drei Längen über 2 Voxeln sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>what</source>
+        <translation>was</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
@@ -5136,6 +7561,31 @@
         <translation>was sich mit was trifft</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>what overlaps was united</source>
+        <translation>was sich überlappt, wurde vereinigt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>whether a design exists</source>
+        <translation>ob ein Entwurf existiert</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>which is up to 10 % low</source>
+        <translation>das bis 10 % zu klein ist</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>whole</source>
+        <translation>gesamt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>wider than {} mm bridged</source>
+        <translation>breiter als {} mm überbrückt</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>width of a texture must be 0.02 to 1, got {}</source>
         <translation>die Breite einer Textur muss 0.02 bis 1 sein, hier {}</translation>
@@ -5147,14 +7597,14 @@
         <translation>Drahtmodell</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
-        <source>within the mask</source>
-        <translation>in der Maske</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>within the mask layer {} along {} holds {} voxels, but is asked for {}</source>
         <translation>in der Maske fasst Schicht {} entlang {} {} Voxel, verlangt sind {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>within the mask{}</source>
+        <translation>in der Maske{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
@@ -5174,9 +7624,9 @@
         <translation>das Tabellenblatt {} wird geschrieben</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>{} % of it lie </source>
-        <translation>{} % davon liegen </translation>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>yes</source>
+        <translation>ja</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -5187,6 +7637,26 @@
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{} (the zero vector)</source>
         <translation>{} (der Nullvektor)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} about {} mm</source>
+        <translation>{} um {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>{} against {}</source>
+        <translation>{} gegen {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} against {}, {} apart</source>
+        <translation>{} gegen {}, {} auseinander</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} against {}, {} of it apart</source>
+        <translation>{} gegen {}, {} davon auseinander</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5202,6 +7672,16 @@
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} and {} layers of {} and {} voxels</source>
         <translation>{} und {} Schichten von {} und {} Voxeln</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>{} and {} more stretches</source>
+        <translation>{} und {} weitere Abschnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} apart</source>
+        <translation>{} auseinander</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5291,6 +7771,11 @@
         <translation>{} konnte nicht geschrieben werden: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} end sections; their true area is {} of the estimated.</source>
+        <translation>{} Endquerschnitte; ihre wahre Fläche ist das {}-Fache der geschätzten.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
         <translation>Verfahren {}, {} Stäbe, {} Dreiecke, Zellen von {} mm: etwa {} s und {} GB</translation>
@@ -5344,6 +7829,11 @@
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>{} layers of {} voxels cannot hold {}</source>
         <translation>{} Schichten von {} Voxeln können {} nicht fassen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} mm {} on {}</source>
+        <translation>{} mm {} an {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -5706,6 +8196,11 @@
         <translation>{} eines Netzes müssen die Form (Anzahl, 3) haben, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} of it apart</source>
+        <translation>{} davon auseinander</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of the body and the voxels</source>
         <translation>{} des Körpers und der Voxel</translation>
@@ -5716,9 +8211,19 @@
         <translation>{} des Hüllkörpers</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of {} and {}</source>
         <translation>{} von {} und {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} of {} rods were faulty when they were drawn.</source>
+        <translation>{} von {} Stäben waren fehlerhaft, als sie gezogen wurden.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
@@ -5766,14 +8271,31 @@
         <translation>{} Schnitte, {} davon fehlerhaft, Knochenanteil {} %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>{} standard errors, loose pieces and voids left aside</source>
+        <translation>{} Standardfehler, lose Teile und Hohlräume nicht beachtet</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} that no opening reaches, {} mm3 together: {}</source>
         <translation>{} ohne Öffnung, zusammen {} mm3: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>{} through others: what overlaps {} (fill rule '{}')</source>
+        <translation>{} durch andere: was sich überlappt, {} (Füllregel '{}')</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <source>{} to {}</source>
         <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} to {} ({})</source>
+        <translation>{} bis {} ({})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -5794,6 +8316,11 @@
         <location filename="../../freecad_trabecula/features/migrations.py"/>
         <source>{} was made by a later version of Trabecula: its schema must be at most {}, got {}; update Trabecula</source>
         <translation>{} stammt von einer späteren Version von Trabecula: sein Schema darf höchstens {} sein, hier {}; Trabecula aktualisieren</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>{} without area: no slice is spoilt by that</source>
+        <translation>{} ohne Fläche: kein Schnitt ist dadurch fehlerhaft</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5824,6 +8351,16 @@
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>{} {} times</source>
         <translation>{} {}-mal</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{}, box of {} mm</source>
+        <translation>{}, Quader {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{}, box of {} mm about {} mm</source>
+        <translation>{}, Quader {} mm um {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5864,6 +8401,16 @@
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: the axis must be x, y or z, got {}</source>
         <translation>{}, Zeile {}: die Achse muss x, y oder z sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>{}, seen from a corner</source>
+        <translation>{}, von einer Ecke gesehen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{}, size {} mm</source>
+        <translation>{}, Größe {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
@@ -6072,6 +8619,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
         <source>{}: {} against {}, {} apart (at most {})</source>
         <translation>{}: {} gegen {}, {} auseinander (höchstens {})</translation>
     </message>
@@ -6099,6 +8647,16 @@
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
         <translation>{}: {} x {} x {} Werte von {} sind {} Bytes, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; closed layers need a Boolean</source>
+        <translation>{}; geschlossene Schichten brauchen eine boolesche Operation</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; exact</source>
+        <translation>{}; genau</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/optional_packages.py"/>

@@ -1626,9 +1626,29 @@
         <translation> (chiuso: farne prima un solido)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> (the widest gap: {} mm)</source>
+        <translation> (la lacuna più larga: {} mm)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source> ({} % of it lie outside any block of 2 x 2 x 2 voxels)</source>
+        <translation> (il {} % sta fuori da ogni blocco di 2 x 2 x 2 voxel)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source> ... ({} layers)</source>
         <translation> ... ({} strati)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source> The thesis needed {} s for alpha, beta and the layers of 103 x 94 x 103 voxels by this strategy.</source>
+        <translation> La tesi ha richiesto {} s per alfa, beta e gli strati di 103 x 94 x 103 voxel con questa strategia.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source> about {} mm</source>
+        <translation> intorno a {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thresholds.py"/>
@@ -1641,14 +1661,34 @@
         <translation> e con {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> and {} more stretches</source>
+        <translation> e altri {} tratti</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> or {}</source>
         <translation> o {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> there twice: the material counts twice</source>
+        <translation> presenti due volte: il materiale conta due volte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source> turned against the neighbours</source>
+        <translation> rovesciate rispetto alle vicine</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source> within the mask</source>
         <translation> nella maschera</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>, box of {} mm</source>
+        <translation>, parallelepipedo {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -1666,6 +1706,71 @@
         <translation>1 meno ciò che il corpo aggiunge al numero di Eulero della struttura da cui è tagliato: le facce del parallelepipedo contano metà, gli spigoli un quarto, i vertici un ottavo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 (1 - V_solid / V_envelope), volumes by the kernel</source>
+        <translation>100 (1 - V_solid / V_envelope), volumi dal nucleo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>100 (1 - sliced area / area of the envelope's slice)</source>
+        <translation>100 (1 - area sezionata / area della sezione dell'involucro)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 (V_envelope - V_scaffold) / V_envelope, volumes by the divergence theorem over the triangles of what is exported</source>
+        <translation>100 (V_envelope - V_scaffold) / V_envelope, volumi col teorema della divergenza sui triangoli di ciò che si esporta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 V_union / V_envelope, the union by the engine, before loose pieces are taken away or voids filled</source>
+        <translation>100 V_union / V_envelope, unione fatta dal motore, prima di togliere pezzi staccati o riempire vuoti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 V_union / V_envelope, the union of the rods by parallel rays through their triangles, with its standard error; loose pieces stay</source>
+        <translation>100 V_union / V_envelope, unione delle aste con raggi paralleli attraverso i loro triangoli, col suo errore standard; i pezzi staccati restano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 solid voxels / voxels of the envelope</source>
+        <translation>100 voxel pieni / voxel dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>100 sum V_rod / V_envelope, crossings counted as often as they come; what the thesis added up for case 1</source>
+        <translation>100 somma V_rod / V_envelope, incroci contati tante volte quante si presentano; così sommava la tesi nel caso 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>100 sum of sliced areas / sum of the envelope's</source>
+        <translation>100 somma delle aree sezionate / somma di quelle dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 times the mean over an axis' layers of |made - asked for| / asked for</source>
+        <translation>100 per la media sugli strati di un asse di |fatti - richiesti| / richiesti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 voxels of the largest part / solid voxels</source>
+        <translation>100 voxel della parte maggiore / voxel pieni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>100 x twice the common solid voxels over the sum of both</source>
+        <translation>100 x il doppio dei voxel pieni comuni sulla somma dei due</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>1e-9 of it for blocks; told for smooth surfaces</source>
+        <translation>1e-9 di esso per i blocchi; dichiarato per superfici lisce</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>2 BV / BS over the largest edge of a voxel</source>
+        <translation>2 BV / BS sul lato maggiore di un voxel</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/path_laws.py"/>
         <source>2-point curve along the inner normals</source>
         <translation>curva a 2 punti lungo le normali interne</translation>
@@ -1676,14 +1781,25 @@
         <translation>curva a 3 punti per un punto di convergenza</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/engines.py"/>
-        <source>; closed layers need a Boolean</source>
-        <translation>; gli strati chiusi richiedono un'operazione booleana</translation>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>6e-15 on 960 planes; of solids what tessellation changes</source>
+        <translation>6e-15 su 960 piani; per i solidi quanto cambia la triangolazione</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/engines.py"/>
-        <source>; exact</source>
-        <translation>; esatto</translation>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>: the mesh is not watertight</source>
+        <translation>: la mesh non è a tenuta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>A graph over the slices (thesis ch. 9): trabeculae are joined where they overlap on neighbouring slices. Its counts depend on the thickness of the layers.</source>
+        <translation>Un grafo sulle sezioni (tesi cap. 9): le trabecole sono unite dove si sovrappongono su sezioni vicine. I suoi conteggi dipendono dallo spessore degli strati.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>All checks held.</source>
+        <translation>Tutti i controlli superati.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
@@ -1706,9 +1822,30 @@
         <translation>BV/TV è {} per triangoli e {} per voxel: parti della mesh si sovrappongono (allora valgono i voxel), o sono più sottili di un voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Checks</source>
+        <translation>Controlli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Choices</source>
+        <translation>Scelte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Comparison</source>
+        <translation>Confronto</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Conn over TV</source>
         <translation>Conn su TV</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Couplings</source>
+        <translation>Accoppiamenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -1726,10 +1863,51 @@
         <translation>DA: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Definitions</source>
+        <translation>Definizioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Design</source>
+        <translation>Progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Differences on shared layers</source>
+        <translation>Differenze sugli strati comuni</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/connectivity.py"/>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>Euler number</source>
         <translation>numero di Eulero</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Exact on every layer of the three axes, but its mesh is not watertight.</source>
+        <translation>Esatto su ogni strato dei tre assi, ma la mesh non è a tenuta.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Exact on every layer of the three axes.</source>
+        <translation>Esatto su ogni strato dei tre assi.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Exact on every layer of the three axes; the mesh is watertight.</source>
+        <translation>Esatto su ogni strato dei tre assi; la mesh è a tenuta.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>FAILED</source>
+        <translation>FALLITO</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Faces and sites</source>
+        <translation>Facce e siti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1737,9 +1915,43 @@
         <translation>File da cui è fatto l'involucro</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Files</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>Green's theorem over the cubic pieces, exact</source>
+        <translation>teorema di Green sui tratti cubici, esatto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Heavy</source>
+        <translation>Forte</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>Hellinger distance of the distributions of trabecular area over logarithmic bins, five per decade with borders at 10^(k/5) mm2: sqrt(sum (sqrt p - sqrt q)^2 / 2); 0 = equal, 1 = no bin shared</source>
         <translation>distanza di Hellinger delle distribuzioni di area trabecolare su classi logaritmiche, cinque per decade con limiti a 10^(k/5) mm2: radice(somma (radice p - radice q)^2 / 2); 0 = uguali, 1 = nessuna classe comune</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>How many designs</source>
+        <translation>Quanti progetti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Input</source>
+        <translation>Dati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Interconnectivity</source>
+        <translation>Interconnessione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -1747,14 +1959,97 @@
         <translation>distanza di Kolmogorov-Smirnov delle distribuzioni di area trabecolare (al netto dei fori, ogni trabecola di ogni sezione una volta): massima differenza delle quote fino a un'area; senza classi; 0 = uguali, 1 = separate</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Layers</source>
+        <translation>Strati</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Layers of {}</source>
         <translation>Strati di {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Leave the envelope</source>
+        <translation>Escono dall'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Left out, since nothing mended them</source>
+        <translation>Tralasciate, perché nulla le ha riparate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Left out, to keep this file small:</source>
+        <translation>Tralasciati, per tenere piccolo questo file:</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Lengths are mm. Under each table stands why its numbers are what they are.</source>
+        <translation>Lunghezze in mm. Sotto ogni tabella è detto perché i suoi numeri sono quello che sono.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>MIL.max over MIL.min by lines through the voxels, up to 10 % low; 1 = isotropic; 1 - 1/DA^2 goes from 0 to 1</source>
         <translation>MIL.max su MIL.min con linee tra i voxel, fino al 10 % in meno; 1 = isotropo; 1 - 1/DA^2 va da 0 a 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Made with {}.</source>
+        <translation>Fatto con {}.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Mesh</source>
+        <translation>Mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Morphometry</source>
+        <translation>Morfometria</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>None.</source>
+        <translation>Nessuno.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>None: the slices came from a file of layers.</source>
+        <translation>Nessuna: le sezioni vengono da un file di strati.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Not all checks held: see Checks.</source>
+        <translation>Non tutti i controlli superati: vedi Controlli.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Not exact: {} layers have other counts than asked for.</source>
+        <translation>Non esatto: {} strati hanno conteggi diversi da quelli richiesti.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Note:</source>
+        <translation>Nota:</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Of {} pairs of tables drawn without regard for each other {} came to their end; {} % of their layers were compatible, and {} pairs in all layers.</source>
+        <translation>Di {} coppie di tabelle estratte senza riguardo l'una per l'altra {} sono giunte alla fine; il {} % dei loro strati era compatibile, e {} coppie in tutti gli strati.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Off</source>
+        <translation>No</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -1777,9 +2072,39 @@
         <translation>correlazione di Pearson dei profili sugli strati comuni; 1 = stessa forma; nessuna se un profilo è costante</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Pores</source>
+        <translation>Pori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Recoveries</source>
+        <translation>Recuperi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Rods and plates are outer contours; the thesis classes voids with the plates, and counts every contour as a trabecula. A negative trabecular area is a void's. Porosity refers to {}.</source>
+        <translation>Aste e piastre sono contorni esterni; la tesi mette i vuoti tra le piastre e conta ogni contorno come trabecola. Un'area trabecolare negativa è di un vuoto. La porosità si riferisce a {}.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Rods and plates as in the thesis: every contour, voids too, by area / box.</source>
+        <translation>Aste e piastre come nella tesi: ogni contorno, anche i vuoti, secondo area / rettangolo.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>Round(sliced area / area of a voxel's face), brought to one total of the three axes</source>
+        <translation>Round(area sezionata / area di una faccia del voxel), portato a un solo totale dei tre assi</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Samples are laid side by side by {}; differences are against {}.</source>
         <translation>I campioni sono affiancati secondo {}; le differenze sono rispetto a {}.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Sections with the same value, as the thesis counts them, are where two curves meet.</source>
+        <translation>Le sezioni con lo stesso valore, come le conta la tesi, sono dove due curve si incontrano.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/makers.py"/>
@@ -1787,9 +2112,29 @@
         <translation>Siti {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Slice analysis</source>
+        <translation>Analisi per sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Slice passport</source>
+        <translation>Passaporto</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Sliced area (mm2)</source>
         <translation>Area sezionata (mm2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Slices along the axes</source>
+        <translation>Sezioni lungo gli assi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>Slices of {}</source>
+        <translation>Sezioni: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
@@ -1807,6 +2152,42 @@
         <translation>Provino {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Tables that fit</source>
+        <translation>Tabelle compatibili</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>The deltas are the common total less the sum of the counts rounded by Eq. 6.1.</source>
+        <translation>I delta sono il totale comune meno la somma dei conteggi arrotondati con l'Eq. 6.1.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>The design</source>
+        <translation>Il progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>The mesh is faulty: the numbers are not to be trusted where it is.</source>
+        <translation>La mesh è difettosa: in quei punti i numeri non sono attendibili.</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>The scores are in [{}]({}).</source>
+        <translation>I punteggi sono in [{}]({}).</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>The whole run took {} s.{}</source>
+        <translation>L'intera esecuzione è durata {} s.{}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of plates</source>
         <translation>Numero totale di piastre</translation>
@@ -1815,6 +2196,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>Total number of rods</source>
         <translation>Numero totale di aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>Totals and ranges</source>
+        <translation>Totali e intervalli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -1827,6 +2213,16 @@
         <translation>Underwood, Quantitative Stereology, 1970 (S_V = 2 P_L)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Voxel design</source>
+        <translation>Progetto a voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>Voxel design of {}</source>
+        <translation>Progetto a voxel: {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>Voxels of drawn curves</source>
         <translation>Voxel di curve disegnate</translation>
@@ -1837,9 +2233,19 @@
         <translation>Voxel {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>Warning: {}</source>
+        <translation>Avviso: {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/envelope.py"/>
         <source>What was mended in the file's solid, and what looks wrong</source>
         <translation>Che cosa è stato riparato nel solido del file, e che cosa sembra errato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>Why? Formulas, sources, second routes</source>
+        <translation>Perché? Formule, fonti, seconde vie</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
@@ -2011,6 +2417,11 @@
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>un progetto deve avere voxel pieni, qui 0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>a design with its scaffold, an analysis or voxels are needed</source>
+        <translation>servono un progetto col suo scaffold, un'analisi o dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
@@ -2266,6 +2677,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a quantity must be one of {}, got {}</source>
         <translation>una grandezza deve essere una di {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>a range only was sliced</source>
+        <translation>è stato sezionato solo un intervallo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
@@ -2533,6 +2949,16 @@
         <translation>l'allineamento deve essere uno di {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>all</source>
+        <translation>tutti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>all held</source>
+        <translation>tutti superati</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>all images of a stack must have one size, {} pixels, but {} has {}</source>
         <translation>tutte le immagini di una pila devono avere una sola dimensione, {} pixel, ma {} ha {}</translation>
@@ -2548,9 +2974,44 @@
         <translation>tutti gli strati devono avere i voxel richiesti, ma {} non li hanno: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>all, processor time</source>
+        <translation>tutti, tempo di processore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>along</source>
+        <translation>lungo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/path_laws.py"/>
         <source>along the normal</source>
         <translation>lungo la normale</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} no slice has any area</source>
+        <translation>lungo {} nessuna sezione ha area</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {}</source>
+        <translation>lungo {} {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {} (the widest gap: {} mm)</source>
+        <translation>lungo {} {} (la lacuna più larga: {} mm)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {} of at most {} mm2 left out of all counts</source>
+        <translation>lungo {} {} di al più {} mm2 esclusi da tutti i conteggi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>along {} {} of {} slices are spoilt: layers {}</source>
+        <translation>lungo {} {} sezioni su {} sono guaste: strati {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
@@ -2668,6 +3129,21 @@
         <translation>le analisi da confrontare devono avere in comune almeno uno strato di {} mm lungo {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>another program's slices in the tests; of solids the kernel's own sections (make.exact_slices)</source>
+        <translation>le sezioni di un altro programma nei test; per i solidi le sezioni del nucleo (make.exact_slices)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>area and volume of the triangles, BS/BV</source>
+        <translation>area e volume dei triangoli, BS/BV</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>area of an outer contour less those of its holes</source>
+        <translation>area di un contorno esterno meno quelle dei suoi fori</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>area of the triangles, those in the box's faces (cuts) left out</source>
         <translation>area dei triangoli, esclusi quelli sulle facce del parallelepipedo (tagli)</translation>
@@ -2688,9 +3164,91 @@
         <translation>come estratta</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>asked for</source>
+        <translation>richiesti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>at</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>at given heights</source>
+        <translation>a quote date</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>at most</source>
+        <translation>al più</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most 0.2 % apart</source>
+        <translation>distanti al più 0,2 %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most {} of the envelope apart; with the field engine {}</source>
+        <translation>distanti al più {} dell'involucro; col motore a campo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>at most {} standard errors of the rays apart</source>
+        <translation>distanti al più {} errori standard dei raggi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>at the layers' bottoms</source>
+        <translation>alla base degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>at the layers' middles</source>
+        <translation>a metà degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>at, mm</source>
+        <translation>a, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>attempts</source>
+        <translation>tentativi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>available less left is the number of rods</source>
+        <translation>siti disponibili meno rimasti è il numero di aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>available sites that the coupling did not use</source>
+        <translation>siti disponibili che l'accoppiamento non ha usato</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>axes of a texture must be three unit vectors at right angles, got {}</source>
         <translation>gli assi di una tessitura devono essere tre versori ortogonali, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>axis</source>
+        <translation>asse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>b_u, mm</source>
+        <translation>b_u, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>b_v, mm</source>
+        <translation>b_v, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
@@ -2703,9 +3261,24 @@
         <translation>strati migliori</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>blocks of 2 x 2 x 2 voxels with two opposite corners alone of their kind, solid or void</source>
+        <translation>blocchi di 2 x 2 x 2 voxel con due vertici opposti soli nel loro genere, pieni o vuoti</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>bodies must be of {}, got {}</source>
         <translation>i corpi devono essere di {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>bone fraction</source>
+        <translation>frazione ossea</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>bone fraction BV/TV</source>
+        <translation>frazione ossea BV/TV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2728,6 +3301,16 @@
         <translation>frazione di volume osseo, per voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>border a_x, a_y, a_z, mm</source>
+        <translation>bordo a_x, a_y, a_z, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>both routes</source>
+        <translation>le due vie</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
         <source>bounds and sum must not be negative, got {}</source>
         <translation>limiti e somma non devono essere negativi, qui {}</translation>
@@ -2738,14 +3321,51 @@
         <translation>rami</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>branches a mm</source>
+        <translation>rami per mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>branches per mm</source>
         <translation>rami per mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>branches: chains of trabeculae that go on without an event</source>
+        <translation>rami: catene di trabecole che proseguono senza un evento</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>building the {}</source>
         <translation>costruzione: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>by another</source>
+        <translation>per l'altra</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>by one route</source>
+        <translation>per una via</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>bytes</source>
+        <translation>byte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>c_u, mm</source>
+        <translation>c_u, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>c_v, mm</source>
+        <translation>c_v, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/marching.py"/>
@@ -2756,6 +3376,11 @@
         <location filename="../../freecad_trabecula/core/field.py"/>
         <source>casting rays</source>
         <translation>lancio dei raggi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>cavities found from the shells of the scaffold and from those of the channels</source>
+        <translation>cavità trovate dai gusci dello scaffold e da quelli dei canali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -2778,6 +3403,12 @@
         <translation>catene di trabecole che proseguono di sezione in sezione, ognuna sovrapposta a una sola della successiva, sulla distanza dalla prima all'ultima sezione</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>changes by hand</source>
+        <translation>modifiche a mano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>channels</source>
         <translation>canali</translation>
@@ -2789,6 +3420,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
         <source>checks</source>
         <translation>controlli</translation>
     </message>
@@ -2798,15 +3430,37 @@
         <translation>controlli falliti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>choice</source>
+        <translation>scelta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>choice of the convergence point</source>
         <translation>la scelta del punto di convergenza</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>clock time of cutting the channels</source>
+        <translation>tempo d'orologio del taglio dei canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>clock time of targets, design and mesh</source>
+        <translation>tempo d'orologio di obiettivi, progetto e mesh</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>closed cavities</source>
         <translation>cavità chiuse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>closed contour</source>
+        <translation>contorno chiuso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
@@ -2814,9 +3468,29 @@
         <translation>gli strati chiusi richiedono un'operazione booleana che li tolga dalle aste, e questa manifold3d: {}; oppure scegliere strati non chiusi</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>closed shells of its triangles, the voids inside one counted with it</source>
+        <translation>gusci chiusi dei suoi triangoli, i vuoti interni contati con essi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>closed shells of their triangles, the holes inside one counted with it</source>
+        <translation>gusci chiusi dei loro triangoli, i fori interni contati con essi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>closed voids</source>
+        <translation>vuoti chiusi</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>closed voids are {} of the envelope: many channels have no way out</source>
         <translation>i vuoti chiusi sono {} dell'involucro: molti canali non hanno uscita</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>co-ordinate along the axis, mm</source>
+        <translation>coordinata lungo l'asse, mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -2834,9 +3508,50 @@
         <translation>le coordinate dei triangoli devono essere finite, qui nan o infinito mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>common total less the sum of an axis' rounded counts</source>
+        <translation>totale comune meno la somma dei conteggi arrotondati di un asse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>compact layer</source>
+        <translation>strato compatto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>components (6-neighbours)</source>
+        <translation>parti (6 vicini)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected channels</source>
+        <translation>canali connessi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>connected parts</source>
         <translation>parti connesse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the channels that touch no face of the envelope</source>
+        <translation>parti connesse dei canali che non toccano alcuna faccia dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the scaffold</source>
+        <translation>parti connesse dello scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>connected pieces of the scaffold that channels cut off all round; they are taken away unless they are to be kept</source>
+        <translation>parti connesse dello scaffold isolate dai canali; sono tolte, se non si vogliono tenere</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>connectivity</source>
+        <translation>connettività</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -2849,14 +3564,44 @@
         <translation>contatti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by a corner alone</source>
         <translation>contatti per solo vertice</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>contacts by an edge alone</source>
         <translation>contatti per solo spigolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contour filter, closed, mm</source>
+        <translation>filtro dei contorni, chiusi, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contour filter, open, mm</source>
+        <translation>filtro dei contorni, aperti, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>contours</source>
+        <translation>contorni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contours a slice</source>
+        <translation>contorni per sezione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>contours counted above, mm2</source>
+        <translation>contorni contati sopra, mm2</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/contours.py"/>
@@ -2869,9 +3614,74 @@
         <translation>i contorni devono stare nell'ordine dei loro piani, 0..{}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours of more area than the least</source>
+        <translation>contorni di area maggiore della minima</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours of more area than the least on a slice, holes among them: the thesis' number of trabeculae</source>
+        <translation>contorni di una sezione di area maggiore della minima, fori compresi: il numero di trabecole della tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours that are no holes</source>
+        <translation>contorni che non sono fori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours that are no rods, voids among them (their area is negative)</source>
+        <translation>contorni che non sono aste, vuoti compresi (la loro area è negativa)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>contours were filtered</source>
+        <translation>i contorni sono stati filtrati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>contours were offset</source>
+        <translation>i contorni sono stati traslati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>contours were smoothed</source>
+        <translation>i contorni sono stati lisciati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>contours whose area is at least 0.6 of their box</source>
+        <translation>contorni la cui area è almeno 0,6 del loro rettangolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count</source>
+        <translation>conteggio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>count of the pairs that were coupled</source>
+        <translation>conteggio delle coppie accoppiate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count of the solid voxels</source>
+        <translation>conteggio dei voxel pieni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>count of the solid voxels of the layer</source>
+        <translation>conteggio dei voxel pieni dello strato</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/entropy_counts.py"/>
         <source>counting by entropy</source>
         <translation>conteggio per entropia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>counting it anew</source>
+        <translation>nuovo conteggio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sampled_layers.py"/>
@@ -2882,6 +3692,16 @@
         <location filename="../../freecad_trabecula/core/voxels/sampled_tables.py"/>
         <source>counting tables</source>
         <translation>conteggio delle tabelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>counts as often as it overlaps</source>
+        <translation>conta tante volte quante si sovrappone</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>counts once</source>
+        <translation>conta una volta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -2899,6 +3719,12 @@
         <translation>d1 e d2 devono differire di almeno 1 grado sulla faccia, qui {} gradi</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>definition</source>
+        <translation>definizione</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>degree of anisotropy</source>
         <translation>grado di anisotropia</translation>
@@ -2909,9 +3735,20 @@
         <translation>grado di anisotropia, per triangoli</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>delta</source>
+        <translation>delta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masks.py"/>
         <source>densities must be 0 to 1, got {} in layer {} along {}</source>
         <translation>le densità devono stare da 0 a 1, qui {} nello strato {} lungo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>design</source>
+        <translation>progetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
@@ -2939,6 +3776,11 @@
         <translation>progetti con le tabelle di questo progetto</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>diameter of the circle, or side of the square through the corners, as drawn from the law of the pores</source>
+        <translation>diametro del cerchio, o lato del quadrato per i vertici, estratto dalla legge dei pori</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>diameter of the largest sphere in the solid</source>
         <translation>diametro della massima sfera nel solido</translation>
@@ -2949,9 +3791,50 @@
         <translation>diametro della massima sfera nel vuoto</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>difference</source>
+        <translation>differenza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference half way along the shared stretch, linear between the layers' middles</source>
+        <translation>differenza a metà del tratto comune, lineare tra le metà degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference in the middle</source>
+        <translation>differenza a metà</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>difference of the largest size over the shared layers, with its sign; at: the middle of its layer</source>
+        <translation>differenza massima in modulo sugli strati comuni, col suo segno; a: la metà del suo strato</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>distances</source>
         <translation>distanze</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over its triangles</source>
+        <translation>teorema della divergenza sui suoi triangoli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over its triangles in double precision</source>
+        <translation>teorema della divergenza sui suoi triangoli in doppia precisione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over the triangles of union of the rods and envelope</source>
+        <translation>teorema della divergenza sui triangoli di unione delle aste e involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>divergence theorem over their triangles</source>
+        <translation>teorema della divergenza sui loro triangoli</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -2994,6 +3877,22 @@
         <translation>ogni vertice deve avere tre coordinate</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>edges at which two solid voxels meet across, the other two being void</source>
+        <translation>spigoli ai quali si incontrano in diagonale due voxel pieni, essendo vuoti gli altri due</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>end sections by size</source>
+        <translation>sezioni di estremità per dimensione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>engine</source>
+        <translation>motore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/designs.py"/>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>envelope</source>
@@ -3003,6 +3902,34 @@
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>envelope less rods</source>
         <translation>involucro meno aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>equal layers</source>
+        <translation>strati uguali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>equal layers, and pairs of neighbours between which the curves cross</source>
+        <translation>strati uguali, e coppie di vicini tra cui le curve si incrociano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>equal numbers</source>
+        <translation>numeri uguali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>equal numbers on every layer of the three axes, or the design is refused</source>
+        <translation>numeri uguali su ogni strato dei tre assi, o il progetto è rifiutato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>equal numbers, or the scaffold is refused</source>
+        <translation>numeri uguali, o lo scaffold è rifiutato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
@@ -3018,6 +3945,21 @@
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>estimate by rays</source>
         <translation>stima per raggi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>estimated area of the end sections</source>
+        <translation>area stimata delle sezioni di estremità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>estimated area s^2, mm2</source>
+        <translation>area stimata s^2, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>estimated porosity</source>
+        <translation>porosità stimata</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -3070,9 +4012,49 @@
         <translation>le sezioni esatte sono quelle di un solido, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>face</source>
+        <translation>faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>face 1</source>
+        <translation>faccia 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>face 2</source>
+        <translation>faccia 2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>face sites</source>
         <translation>siti della faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets</source>
+        <translation>faccette</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets that are there twice</source>
+        <translation>faccette presenti due volte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets that run through others</source>
+        <translation>faccette che ne attraversano altre</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets turned against their neighbours</source>
+        <translation>faccette rovesciate rispetto alle vicine</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>facets without area</source>
+        <translation>faccette senza area</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -3083,6 +4065,11 @@
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>failed, left out</source>
         <translation>fallita, esclusa</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>fault</source>
+        <translation>difetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
@@ -3096,6 +4083,29 @@
         <translation>campo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>file</source>
+        <translation>file</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>fill rule</source>
+        <translation>regola di riempimento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>final sites 1</source>
+        <translation>siti finali 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>final sites 2</source>
+        <translation>siti finali 2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>finding doubles</source>
         <translation>ricerca dei doppioni</translation>
@@ -3106,9 +4116,45 @@
         <translation>ricerca delle parti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>floating voxels</source>
+        <translation>voxel sospesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>formula</source>
+        <translation>formula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>gap fill, iterations</source>
+        <translation>chiusura lacune, passate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>gap fill, maximum, mm</source>
+        <translation>chiusura lacune, massimo, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
         <translation>tabelle date richiedono una strategia che riempia gli strati da esse ({}), qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>greatest</source>
+        <translation>massimo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>half a layer (a whole one with planes at bottoms) times the total variation of the sliced area: Niederreiter 1992, DOI 10.1137/1.9781611970081</source>
+        <translation>mezzo strato (uno intero con piani alla base) per la variazione totale dell'area sezionata: Niederreiter 1992, DOI 10.1137/1.9781611970081</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>half a layer's variation</source>
+        <translation>variazione di mezzo strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3136,6 +4182,11 @@
         <translation>le quote dei piani devono essere finite e crescenti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>how often a faulty rod was drawn anew until it was sound</source>
+        <translation>quante volte un'asta difettosa è stata estratta di nuovo finché era sana</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images must be of the kind {}, got {}</source>
         <translation>le immagini devono essere del tipo {}, qui {}</translation>
@@ -3144,6 +4195,31 @@
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>images of this kind need Pillow</source>
         <translation>immagini di questo tipo richiedono Pillow</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>in the envelope</source>
+        <translation>nell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>in the middle</source>
+        <translation>a metà</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>initial sites 1</source>
+        <translation>siti iniziali 1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>initial sites 2</source>
+        <translation>siti iniziali 2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>intercepts of lines through the voxels, BS/BV.vox</source>
+        <translation>intersezioni di linee attraverso i voxel, BS/BV.vox</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/joining.py"/>
@@ -3171,9 +4247,19 @@
         <translation>la sua faccia, finora {}, è ora Face{} di {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>its own end</source>
+        <translation>il suo estremo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>its standard deviation</source>
         <translation>la sua deviazione standard</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>its volume against the voxels'</source>
+        <translation>il suo volume rispetto a quello dei voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/repair.py"/>
@@ -3196,14 +4282,44 @@
         <translation>unisce i siti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>junctions a mm</source>
+        <translation>giunzioni per mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>junctions per mm</source>
         <translation>giunzioni per mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>junctions: splits and joins</source>
+        <translation>giunzioni: divisioni e unioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>largest</source>
+        <translation>massima</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>largest alpha, beta</source>
+        <translation>massimi alfa, beta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>largest balls</source>
         <translation>massime sfere</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>largest difference</source>
+        <translation>differenza massima</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>largest of the tables alpha and beta</source>
+        <translation>massimo delle tabelle alfa e beta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -3226,6 +4342,11 @@
         <translation>massimo di b meno massimo di a sugli strati comuni</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>layer thickness, mm</source>
+        <translation>spessore degli strati, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layer {} along {}</source>
         <translation>strato {} lungo {}</translation>
@@ -3246,9 +4367,21 @@
         <translation>lo strato {} come solidi deve contenere i {} mm3 dei suoi voxel, il nucleo dà {} mm3</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <source>layers</source>
         <translation>strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>layers N x M x P</source>
+        <translation>strati N x M x P</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>layers added to it</source>
+        <translation>strati aggiunti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
@@ -3276,9 +4409,34 @@
         <translation>gli strati su facce molto curve richiedono il pacchetto scipy</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>layers whose middles (or bottoms) lie in the body</source>
+        <translation>strati le cui metà (o basi) stanno nel corpo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>layers {} along {}</source>
         <translation>strati {} lungo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>least</source>
+        <translation>minimo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>least and greatest of the variants</source>
+        <translation>minimo e massimo delle varianti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>least and greatest of the variants' porosities</source>
+        <translation>minima e massima porosità delle varianti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>least cap on alpha and beta with which a table has the layers' sums</source>
+        <translation>minimo massimo su alfa e beta col quale una tabella ha le somme degli strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
@@ -3291,9 +4449,29 @@
         <translation>esce dall'involucro</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>left out by smoothing</source>
+        <translation>tralasciati dalla lisciatura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>left out by the filter</source>
+        <translation>tralasciati dal filtro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
+        <translation>lunghezza del campione lungo X, Y, Z sul lato del voxel, arrotondata</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>levelling tables</source>
         <translation>livellamento delle tabelle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>lines through the voxels, DA</source>
+        <translation>linee attraverso i voxel, DA</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3311,6 +4489,22 @@
         <translation>ricerca di triangoli che si incrociano</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
+        <source>loops</source>
+        <translation>anelli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>loops: ways that part and meet again</source>
+        <translation>anelli: vie che si separano e si ritrovano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>loose</source>
+        <translation>pezzi staccati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>loose pieces</source>
         <translation>pezzi staccati</translation>
@@ -3321,9 +4515,55 @@
         <translation>i pezzi staccati sono {} dell'involucro: i canali tagliano lo scaffold</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>loose pieces taken away</source>
+        <translation>pezzi staccati tolti</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>m (guessed: the body would be {} mm large)</source>
         <translation>m (stimato: il corpo sarebbe di {} mm)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>manual design a rod, s (thesis 2.3.3)</source>
+        <translation>progetto a mano di un'asta, s (tesi 2.3.3)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean bone fraction</source>
+        <translation>frazione ossea media</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>mean bone fraction, %</source>
+        <translation>frazione ossea media, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>mean bone fraction, along {} against {}</source>
+        <translation>frazione ossea media, lungo {} contro {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>mean deviation</source>
+        <translation>scarto medio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>mean deviation of the trabeculae</source>
+        <translation>scarto medio delle trabecole</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean difference</source>
+        <translation>differenza media</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
@@ -3334,6 +4574,11 @@
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean of b less mean of a over the shared layers</source>
         <translation>media di b meno media di a sugli strati comuni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean over the shared layers of sample less first sample</source>
+        <translation>media sugli strati comuni di campione meno primo campione</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3351,6 +4596,31 @@
         <translation>sovrapposizione media, %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>mean porosity of the variants</source>
+        <translation>porosità media delle varianti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>mean sliced area</source>
+        <translation>area sezionata media</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>mean sliced area, mm2</source>
+        <translation>area sezionata media, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>mean thickness of the sample</source>
+        <translation>spessore medio del campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>mean thickness of the sample (2 BV/BS), voxels</source>
+        <translation>spessore medio del campione (2 BV/BS), voxel</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>mean trabecular area of b less that of a</source>
         <translation>area trabecolare media di b meno quella di a</translation>
@@ -3364,6 +4634,17 @@
         <location filename="../../freecad_trabecula/core/analysis/soundness.py"/>
         <source>measuring triangles</source>
         <translation>misura dei triangoli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>meetings</source>
+        <translation>incontri</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>mended by</source>
+        <translation>riparata con</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/recovery.py"/>
@@ -3387,6 +4668,11 @@
         <translation>mesh {}{} di {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>middle</source>
+        <translation>metà</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>mix of sheets and rods must be 0 to 4, got {}</source>
         <translation>la mistura di lamine e aste deve stare da 0 a 4, qui {}</translation>
@@ -3395,6 +4681,16 @@
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>mm (guessed: the body would be {} mm large)</source>
         <translation>mm (stimato: il corpo sarebbe di {} mm)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>more than 2 % is noted: the mesh overlaps itself</source>
+        <translation>oltre il 2 % è segnalato: la mesh si sovrappone a sé stessa</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>most solid voxels in a line (x, z) and (y, z)</source>
+        <translation>massimo di voxel pieni in una linea (x, z) e (y, z)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -3433,9 +4729,19 @@
         <translation>non devono essere negativi</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>name</source>
+        <translation>nome</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>nine tenths of the void have spheres up to it</source>
         <translation>nove decimi del vuoto hanno sfere fino a questo diametro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>no</source>
+        <translation>no</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
@@ -3473,6 +4779,16 @@
         <translation>nessun punto della superficie della faccia è vicino a ({}) mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>no rod may be left out</source>
+        <translation>nessuna asta può mancare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>no sample came to its end</source>
+        <translation>nessuna estrazione è giunta alla fine</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/sections.py"/>
         <source>no shape</source>
         <translation>nessuna forma</translation>
@@ -3493,6 +4809,31 @@
         <translation>nessuna tabella ha queste somme: le colonne {} chiedono {}, e le righe possono darne {}{}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>no tolerance: another rule</source>
+        <translation>nessuna tolleranza: un'altra regola</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>no tolerance: it says how far variants are from chance</source>
+        <translation>nessuna tolleranza: dice quanto le varianti distano dal caso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>no tolerance: the estimate is the thesis'</source>
+        <translation>nessuna tolleranza: la stima è quella della tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>no tolerance: voxels round the surface</source>
+        <translation>nessuna tolleranza: voxel attorno alla superficie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>none</source>
+        <translation>nessuna</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>none of {} pairs of tables was compatible; pairing 'constraint' finds them by construction, and lower caps make them likelier</source>
         <translation>nessuna di {} coppie di tabelle era compatibile; l'abbinamento 'constraint' le trova per costruzione, e massimi minori le rendono più probabili</translation>
@@ -3503,9 +4844,34 @@
         <translation>nessuno di {} punti provati sta nella faccia di {} mm2</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>normals of the triangles, DA.mesh</source>
+        <translation>normali dei triangoli, DA.mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>not all held</source>
+        <translation>non tutti superati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>not looked for</source>
+        <translation>non cercate</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>nothing is left of the envelope: the rods fill it</source>
         <translation>dell'involucro non resta nulla: le aste lo riempiono</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>number</source>
+        <translation>numero</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>number of</source>
+        <translation>numero di</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3513,9 +4879,19 @@
         <translation>numero di parti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>numbers by two routes</source>
+        <translation>numeri per due vie</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/trabeculae.py"/>
         <source>numbers of trabeculae along {} need a sample, or targets that hold them; got neither</source>
         <translation>i numeri di trabecole lungo {} richiedono un campione, o obiettivi che li contengano; qui nessuno dei due</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>of</source>
+        <translation>di</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
@@ -3526,6 +4902,12 @@
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
         <source>offsetting contours</source>
         <translation>traslazione dei contorni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>ok</source>
+        <translation>superato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -3553,6 +4935,21 @@
         <translation>solo {} si può chiamare in {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>open contour</source>
+        <translation>contorno aperto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>open edge</source>
+        <translation>spigolo aperto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>open edges</source>
+        <translation>spigoli aperti</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>operator {} is not allowed in {}</source>
         <translation>l'operatore {} non è ammesso in {}</translation>
@@ -3564,13 +4961,34 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>outer contours</source>
         <translation>contorni esterni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>outer contours a slice</source>
+        <translation>contorni esterni per sezione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>outer contours that are no rods</source>
+        <translation>contorni esterni che non sono aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>outer contours whose area is at least 0.6 of their box</source>
+        <translation>contorni esterni la cui area è almeno 0,6 del loro rettangolo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/voxel_shapes.py"/>
         <source>outlines of layers</source>
         <translation>contorni degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>output</source>
+        <translation>risultato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3581,6 +4999,16 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>over the void</source>
         <translation>sul vuoto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>overlap of two variants</source>
+        <translation>sovrapposizione di due varianti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>overlap to expect of unrelated designs with the same layers</source>
+        <translation>sovrapposizione attesa di progetti indipendenti con gli stessi strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
@@ -3598,6 +5026,18 @@
         <translation>sovrapposizioni meno trabecole più parti del grafo: vie che si separano e si ritrovano</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>own definition</source>
+        <translation>definizione propria</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>own definition (docs/method.md, section 1)</source>
+        <translation>definizione propria (docs/method.md, sezione 1)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/thickness.py"/>
         <source>painting balls</source>
         <translation>disegno delle sfere</translation>
@@ -3608,9 +5048,49 @@
         <translation>l'abbinamento 'repeat' riempie solo parallelepipedi; 'constraint' lavora in una maschera</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>pairs of the couplings that are on, less the rods that nothing mended</source>
+        <translation>coppie degli accoppiamenti attivi, meno le aste che nulla ha riparato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <source>part</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>part of the balance of all volumes</source>
+        <translation>parte del bilancio di tutti i volumi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>parts</source>
+        <translation>parti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>parts less handles plus cavities by another program in the tests (scikit-image)</source>
+        <translation>parti meno manici più cavità di un altro programma nei test (scikit-image)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>parts less handles plus cavities, of the voxels as a closed body</source>
         <translation>parti meno manici più cavità, dei voxel come corpo chiuso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
+        <translation>parti dei voxel pieni di uno strato, vicini per un lato dei loro quadrati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of solid voxels, neighbours by a face</source>
+        <translation>parti di voxel pieni, vicini per una faccia</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>parts of void voxels, neighbours by a face, that touch no border</source>
+        <translation>parti di voxel vuoti, vicini per una faccia, che non toccano alcun bordo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/labelling.py"/>
@@ -3618,9 +5098,24 @@
         <translation>le parti di voxel e le distanze tra loro richiedono scipy</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>parts that hang together from slice to slice</source>
+        <translation>parti connesse da sezione a sezione</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>pasted: recompute the document</source>
         <translation>incollato: ricalcolare il documento</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>path</source>
+        <translation>percorso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>phase</source>
+        <translation>fase</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -3643,14 +5138,50 @@
         <translation>pezzi di voxel vuoti, 6 vicini, che non toccano facce del parallelepipedo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>pieces: {}</source>
+        <translation>pezzi: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>plain sum of the rods</source>
+        <translation>somma semplice delle aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>plain sum of the rods, %</source>
         <translation>somma semplice delle aste, %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>planes</source>
+        <translation>piani</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/slabs.py"/>
         <source>planes must rise, got {}</source>
         <translation>i piani devono crescere, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>plates</source>
+        <translation>piastre</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>plates of all contours</source>
+        <translation>piastre di tutti i contorni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>plates, by that rule</source>
+        <translation>piastre, secondo quella regola</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>plates, voids among them</source>
+        <translation>piastre, vuoti compresi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis_files.py"/>
@@ -3666,6 +5197,11 @@
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>points along {} must lie apart by at least {}, got {}</source>
         <translation>i punti lungo {} devono distare almeno {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>points of Eq. 2.1 on a prism; points of the co-ordinate lines on other faces</source>
+        <translation>punti dell'Eq. 2.1 su un prisma; punti delle linee coordinate su altre facce</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3693,6 +5229,11 @@
         <translation>le dimensioni dei pori devono essere almeno {} mm, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>pores</source>
+        <translation>pori</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/assembly.py"/>
         <source>pores and paths</source>
         <translation>pori e percorsi</translation>
@@ -3703,9 +5244,34 @@
         <translation>le porosità si trovano per uno di {}, {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>porosity</source>
+        <translation>porosità</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/colouring.py"/>
         <source>porosity along {}</source>
         <translation>porosità lungo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>porosity of a slice</source>
+        <translation>porosità di una sezione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>porosity of the STEP scaffold</source>
+        <translation>porosità dello scaffold STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>porosity of the scaffold</source>
+        <translation>porosità dello scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>porosity range, %</source>
+        <translation>porosità, intervallo, %</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
@@ -3718,9 +5284,26 @@
         <translation>porosità {} %, {} aste tagliate; solido e mesh differiscono del {} %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>porosity, %</source>
         <translation>porosità, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>porosity, % (Eq. 2.2)</source>
+        <translation>porosità, % (Eq. 2.2)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>prism l x w x h, mm</source>
+        <translation>prisma l x w x h, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>quantity</source>
+        <translation>grandezza</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -3749,6 +5332,11 @@
         <translation>tabelle casuali; di tutti gli strati che ammettono quello più alto nel campo scelto (programma lineare)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>range, mm</source>
+        <translation>intervallo, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
         <source>rates of compatible tables</source>
         <translation>quote di tabelle compatibili</translation>
@@ -3767,6 +5355,11 @@
         <location filename="../../freecad_trabecula/core/rays.py"/>
         <source>rays per direction must be &gt;= 1, got {}</source>
         <translation>i raggi per direzione devono essere &gt;= 1, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rays through the rods' own triangles</source>
+        <translation>raggi attraverso i triangoli delle aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/ssl.py"/>
@@ -3790,16 +5383,6 @@
         <translation>distanza L2 relativa dei profili: radice(somma (b - a)^2 / somma a^2) sugli strati comuni; 0 = uguali</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>resolved (outside any block of 2 x 2 x 2 voxels): </source>
-        <translation>risolte (fuori da ogni blocco di 2 x 2 x 2 voxel): </translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): </source>
-        <translation>risolte ({} % di esso sta fuori da ogni blocco di 2 x 2 x 2 voxel): </translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
         <source>results must be numbers, texts, arrays or records of them, got {}</source>
         <translation>i risultati devono essere numeri, testi, matrici o record di essi, qui {}</translation>
@@ -3810,19 +5393,42 @@
         <translation>i risultati devono essere di classi di {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>rod</source>
+        <translation>asta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>rod if area / box is at least</source>
+        <translation>asta se area / rettangolo è almeno</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>rod {}{} of {}</source>
         <translation>asta {}{} di {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <location filename="../../freecad_trabecula/core/porosity_estimate.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <source>rods</source>
         <translation>aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>rods and plates by a rule that turning the part does not change (report)</source>
+        <translation>aste e piastre con una regola che non cambia ruotando il pezzo (rapporto)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/rod_colours.py"/>
         <source>rods are coloured by one of {}, got {}</source>
         <translation>le aste si colorano secondo uno di {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods cut from the STEP scaffold</source>
+        <translation>aste tagliate dallo scaffold STEP</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -3845,6 +5451,26 @@
         <translation>le aste devono essere mesh chiuse: ogni raggio deve uscire quante volte entra, {} non lo fanno</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>rods of all contours</source>
+        <translation>aste di tutti i contorni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods of the wireframe</source>
+        <translation>aste del telaio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>rods whose channels the B-Rep engine cut, of all</source>
+        <translation>aste i cui canali ha tagliato il motore B-Rep, su tutte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>rods, by the rule that turning does not change</source>
+        <translation>aste, secondo la regola che non cambia ruotando</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>rounds of gap fill must be at least 0, got {}</source>
         <translation>le passate di chiusura lacune devono essere almeno 0, qui {}</translation>
@@ -3855,9 +5481,25 @@
         <translation>somme di righe e colonne devono accordarsi, qui {} e {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>sample</source>
+        <translation>campione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>sample size, bounding box, mm</source>
+        <translation>dimensioni del campione, riquadro, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>scaffold</source>
         <translation>scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>scaffold + channels</source>
+        <translation>scaffold + canali</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3868,6 +5510,11 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>scaffold + channels + loose pieces = envelope, mm3</source>
         <translation>scaffold + canali + pezzi staccati = involucro, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>scaffold + channels + loose pieces, each by its own triangles, against the envelope</source>
+        <translation>scaffold + canali + pezzi staccati, ciascuno coi suoi triangoli, contro l'involucro</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -3890,15 +5537,56 @@
         <translation>dispersione dei vertici</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>score</source>
+        <translation>punteggio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>score {}</source>
+        <translation>punteggio {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sd</source>
+        <translation>dev. st.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/seam_settling.py"/>
         <location filename="../../freecad_trabecula/geometry/patch_solids.py"/>
         <source>seams of channels</source>
         <translation>cuciture dei canali</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>second</source>
+        <translation>seconda</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>second route</source>
+        <translation>seconda via</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sections</source>
+        <translation>sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sections a rod</source>
+        <translation>sezioni per asta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sections per rod must be 1 or 2, got {}</source>
         <translation>le sezioni per asta devono essere 1 o 2, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/page.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>seed</source>
+        <translation>seme</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
@@ -3911,9 +5599,29 @@
         <translation>quota di contorni che sono aste (regola della tesi), b meno a</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>share of solid voxels, BV/TV.vox</source>
+        <translation>quota di voxel pieni, BV/TV.vox</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>share of solid voxels: the second route</source>
         <translation>quota di voxel pieni: la seconda via</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>share of the largest</source>
+        <translation>quota della maggiore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>share of the largest part</source>
+        <translation>quota della parte maggiore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>shared layers on which both values are the same number</source>
+        <translation>strati comuni su cui i due valori sono lo stesso numero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -3931,9 +5639,35 @@
         <translation>il sito ({}, {}) è finito fuori dalla sua faccia, una linea della quale ha passato il bordo senza avviso</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sites</source>
+        <translation>siti</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>sites along {} must be at least 2 (Eq. 2.1 divides by n - 1), got {}</source>
         <translation>i siti lungo {} devono essere almeno 2 (Eq. 2.1 divide per n - 1), qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites available</source>
+        <translation>siti disponibili</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites left</source>
+        <translation>siti rimasti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>sites n_x, n_y, n_z</source>
+        <translation>siti n_x, n_y, n_z</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sites of both faces that are on and that no earlier coupling used</source>
+        <translation>siti attivi delle due facce che nessun accoppiamento precedente ha usato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/designs.py"/>
@@ -3944,9 +5678,53 @@
         <translation>siti su {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>size</source>
+        <translation>dimensione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>size of the end sections</source>
+        <translation>dimensione delle sezioni di estremità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>size, mm</source>
+        <translation>dimensione, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>slice analysis</source>
+        <translation>analisi per sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>slice comparison</source>
+        <translation>confronto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>slice passport</source>
+        <translation>passaporto</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>sliced area</source>
         <translation>area sezionata</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>sliced area, mm2</source>
+        <translation>area sezionata, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>sliced area, mm²</source>
+        <translation>area sezionata, mm²</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -3959,9 +5737,30 @@
         <translation>le aree sezionate {}, qui {} mm² nello strato {} lungo {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>slices</source>
+        <translation>sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>slices through an open, turned or doubled place of the mesh</source>
+        <translation>sezioni attraverso un punto aperto, rovesciato o doppio della mesh</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/slices.py"/>
         <source>slicing along {}</source>
         <translation>sezionamento lungo {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>smallest possible caps</source>
+        <translation>minimi massimi possibili</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>smallest possible caps on alpha, beta</source>
+        <translation>minimi massimi possibili per alfa, beta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -3969,6 +5768,7 @@
         <translation>minimo di b meno minimo di a sugli strati comuni</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>smoothing</source>
         <translation>lisciatura</translation>
@@ -3994,6 +5794,22 @@
         <translation>solido di toppe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>solid voxels</source>
+        <translation>voxel pieni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels outside of the largest part</source>
+        <translation>voxel pieni fuori della parte maggiore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>solid voxels x dx dy dz</source>
+        <translation>voxel pieni x dx dy dz</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/scaffold_solids.py"/>
         <source>solid: rod {}{} of {}</source>
         <translation>solido: asta {}{} di {}</translation>
@@ -4002,6 +5818,12 @@
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>solids of rods</source>
         <translation>solidi delle aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>source</source>
+        <translation>fonte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
@@ -4019,14 +5841,115 @@
         <translation>superficie ossea specifica, per voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>spoilt slices</source>
+        <translation>sezioni guaste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sqrt(sum (P - mean)^2 / (n - 1)); of a sample, as the thesis' repeats are</source>
+        <translation>sqrt(somma (P - media)^2 / (n - 1)); di un campione statistico, come nelle ripetizioni della tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>standard deviation of the variants</source>
+        <translation>deviazione standard delle varianti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>standard error</source>
+        <translation>errore standard</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>standard error, %</source>
         <translation>errore standard, %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>step</source>
+        <translation>passo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum (x_i y_i+1 - x_i+1 y_i) / 2 over the corners of a contour, voids negative; least and greatest of the contours of more area than the least</source>
+        <translation>somma (x_i y_i+1 - x_i+1 y_i) / 2 sui vertici di un contorno, vuoti negativi; minima e massima dei contorni di area maggiore della minima</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>sum of area x thickness, mm3</source>
+        <translation>somma di area x spessore, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of both axes' tolerances of the volume</source>
+        <translation>somma delle tolleranze di volume dei due assi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of sliced area x thickness</source>
+        <translation>somma di area sezionata x spessore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of sliced areas over the number of slices</source>
+        <translation>somma delle aree sezionate sul numero di sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>sum of the areas of all contours of a slice</source>
+        <translation>somma delle aree di tutti i contorni di una sezione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>sum of the layers along each of the three axes</source>
+        <translation>somma degli strati lungo ciascuno dei tre assi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the rods</source>
+        <translation>somma delle aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the rods' solids by the kernel, where the network is built</source>
+        <translation>somma dei solidi delle aste dal nucleo, dove la rete è costruita</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the variants' porosities over their number</source>
+        <translation>somma delle porosità delle varianti sul loro numero</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum of the volumes of the rods' solids by the kernel, crossings counted as often as they come</source>
+        <translation>somma dei volumi dei solidi delle aste dal nucleo, incroci contati tante volte quante si presentano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>sum over the rods of 30 to 75 s, by curvature of the path and number of sections</source>
+        <translation>somma sulle aste di 30 a 75 s, secondo la curvatura del percorso e il numero di sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>sums of the targets along X, Y and Z</source>
+        <translation>somme degli obiettivi lungo X, Y e Z</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>surface of the voxels</source>
         <translation>superficie dei voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>surface, mm2</source>
+        <translation>superficie, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>symbol</source>
+        <translation>simbolo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
@@ -4163,6 +6086,11 @@
         <translation>la modifica di un sito</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>the channels</source>
+        <translation>i canali</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/pieces.py"/>
         <source>the channels must leave some material, got 0 mm3 of scaffold: the rods fill the whole envelope</source>
         <translation>i canali devono lasciare del materiale, qui 0 mm3 di scaffold: le aste riempiono tutto l'involucro</translation>
@@ -4201,6 +6129,11 @@
         <location filename="../../freecad_trabecula/core/voxels/envelope_sources.py"/>
         <source>the density of an envelope must lie between 0 and 1, got {}</source>
         <translation>la densità di un involucro deve stare tra 0 e 1, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>the design</source>
+        <translation>il progetto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
@@ -4242,6 +6175,7 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>the envelope</source>
@@ -4296,6 +6230,11 @@
         <location filename="../../freecad_trabecula/geometry/surfaces.py"/>
         <source>the face has no normal at ({}) mm</source>
         <translation>la faccia non ha normale in ({}) mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>the face's own</source>
+        <translation>quella della faccia</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4468,6 +6407,16 @@
         <translation>il limite di memoria di {} GB è esaurito ({} GB)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the mesh does not enclose a volume</source>
+        <translation>la mesh non racchiude un volume</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the mesh is inside out, or flat: its volume is {} mm3</source>
+        <translation>la mesh è rovesciata, o piatta: il suo volume è {} mm3</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/mesh_objects.py"/>
         <source>the mesh kernel must hold a closed mesh, got an open one of {} triangles</source>
         <translation>il nucleo delle mesh deve contenere una mesh chiusa, qui una aperta di {} triangoli</translation>
@@ -4534,6 +6483,11 @@
         <translation>il piano a {} mm lungo {} non si è potuto tagliare: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the planes are not those of layers</source>
+        <translation>i piani non sono quelli di strati</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/pores.py"/>
         <source>the pore at {} takes {} tangent components, got {}</source>
         <translation>il poro in {} richiede {} componenti delle tangenti, qui {}</translation>
@@ -4564,19 +6518,59 @@
         <translation>il rapporto da cui un contorno è un'asta deve stare in 0..1, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>the rectangle of the bounding box</source>
+        <translation>il rettangolo del riquadro</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/smooth_surface.py"/>
         <source>the rounds of smoothing must be 0 or more, got {}</source>
         <translation>le passate di lisciatura devono essere 0 o più, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>the same along another axis</source>
+        <translation>lo stesso lungo un altro asse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the same cut by the mesh engine</source>
+        <translation>lo stesso tagliato dal motore a mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the same in single precision, as it is in the file; and the balance of all volumes</source>
+        <translation>lo stesso in singola precisione, com'è nel file; e il bilancio di tutti i volumi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>the same, net of holes, mm2</source>
+        <translation>la stessa al netto dei fori, mm2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>the sample's mean thickness is {} voxels; below {} its struts are not </source>
-        <translation>lo spessore medio del campione è {} voxel; sotto {} le sue aste non sono </translation>
+        <source>the sample's mean thickness is {} voxels; below {} its trabeculae are not resolved ({} % of it lie outside any block of 2 x 2 x 2 voxels): voxels of {} mm would resolve them</source>
+        <translation>lo spessore medio del campione è {} voxel; sotto {} le sue trabecole non sono risolte (il {} % sta fuori da ogni blocco di 2 x 2 x 2 voxel): voxel di {} mm le risolverebbero</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
+        <source>the sample's mean thickness is {} voxels; below {} its trabeculae are not resolved: voxels of {} mm would resolve them</source>
+        <translation>lo spessore medio del campione è {} voxel; sotto {} le sue trabecole non sono risolte: voxel di {} mm le risolverebbero</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the sample's voxels must have the shape {}, got {}</source>
         <translation>i voxel del campione devono avere la forma {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>the scaffold</source>
+        <translation>lo scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>the scaffold, once it is built</source>
+        <translation>lo scaffold, una volta costruito</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
@@ -4632,6 +6626,11 @@
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <source>the size of voxels must be &gt; 0, got {} mm</source>
         <translation>il lato dei voxel deve essere &gt; 0, qui {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the slices' volume was not held against the mesh's: {}</source>
+        <translation>il volume delle sezioni non è stato confrontato con quello della mesh: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4755,6 +6754,11 @@
         <translation>l'unione delle aste</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>the unit is {}; name it if this is wrong</source>
+        <translation>l'unità è {}; indicarla se è sbagliata</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
         <source>the unit must be auto or one of {}, got {}</source>
         <translation>l'unità deve essere auto o una di {}, qui {}</translation>
@@ -4810,6 +6814,11 @@
         <translation>i loro zeri</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>there is no mesh</source>
+        <translation>non c'è una mesh</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>there may be at most {} heights, got {}</source>
         <translation>ci possono essere al più {} quote, qui {}</translation>
@@ -4850,9 +6859,139 @@
         <translation>serve una riga di misure per ogni contorno, qui {}, {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>thesis</source>
+        <translation>tesi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis Eq. 2.1, section 4.2.2</source>
+        <translation>tesi Eq. 2.1, sezione 4.2.2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis Eq. 2.2</source>
+        <translation>tesi Eq. 2.2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis Eq. 2.2, of a slice</source>
+        <translation>tesi Eq. 2.2, di una sezione</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis Eq. 5.1</source>
+        <translation>tesi Eq. 5.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis Eq. 6.1</source>
+        <translation>tesi Eq. 6.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis Eq. 6.2 and Eq. 6.6</source>
+        <translation>tesi Eq. 6.2 ed Eq. 6.6</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>thesis ch. 9 (interconnectivity of trabeculae); graph of the slices</source>
         <translation>tesi cap. 9 (interconnessione delle trabecole); grafo delle sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis chapter 9</source>
+        <translation>tesi capitolo 9</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.3.3</source>
+        <translation>tesi sezione 2.3.3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.1</source>
+        <translation>tesi sezione 2.4.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.5, tables 4.2 and 4.5</source>
+        <translation>tesi sezione 2.4.5, tabelle 4.2 e 4.5</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 2.4.7</source>
+        <translation>tesi sezione 2.4.7</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis section 4.3.1</source>
+        <translation>tesi sezione 4.3.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3</source>
+        <translation>tesi sezione 5.2.3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3.1</source>
+        <translation>tesi sezione 5.2.3.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.2.3.3</source>
+        <translation>tesi sezione 5.2.3.3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.4</source>
+        <translation>tesi sezione 5.4</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis section 5.4.2</source>
+        <translation>tesi sezione 5.4.2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.1</source>
+        <translation>tesi sezione 6.2.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.1, after Eq. 6.1</source>
+        <translation>tesi sezione 6.2.1, dopo l'Eq. 6.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.2.4, by Gale 1957, DOI 10.2140/pjm.1957.7.1073</source>
+        <translation>tesi sezione 6.2.4, da Gale 1957, DOI 10.2140/pjm.1957.7.1073</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.3.1</source>
+        <translation>tesi sezione 6.3.1</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>thesis section 6.4</source>
+        <translation>tesi sezione 6.4</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis sections 3.3.5 and 4.2.4</source>
+        <translation>tesi sezioni 3.3.5 e 4.2.4</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>thesis tables 4.2 and 4.5</source>
+        <translation>tesi tabelle 4.2 e 4.5</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>thesis tables 5.11, 5.12 and 5.13</source>
+        <translation>tesi tabelle 5.11, 5.12 e 5.13</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/thinnest.py"/>
@@ -4865,9 +7004,65 @@
         <translation>per un punto casuale di un parallelepipedo attorno ad esso (Eq. 3.1)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>time</source>
+        <translation>tempo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time by hand</source>
+        <translation>tempo a mano</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time for a rod</source>
+        <translation>tempo per asta</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>time of all, s</source>
+        <translation>tempo totale, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>time of the network a rod, s</source>
+        <translation>tempo della rete per asta, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>time of the network, s</source>
+        <translation>tempo della rete, s</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>time of the slices, processor s</source>
+        <translation>tempo delle sezioni, s di processore</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>time over the number of rods</source>
+        <translation>tempo sul numero di aste</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>to {} site {} a point is needed, got {}</source>
         <translation>per {} il sito {} serve un punto, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>tool compensation, mm</source>
+        <translation>compensazione utensile, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>total number of plates</source>
+        <translation>numero totale di piastre</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>total number of rods</source>
+        <translation>numero totale di aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4880,6 +7075,11 @@
         <translation>trabecole</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>trabeculae (mean)</source>
+        <translation>trabecole (media)</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>trabeculae a layer along {}</source>
         <translation>trabecole per strato lungo {}</translation>
@@ -4890,14 +7090,55 @@
         <translation>trabecole lungo {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>trabeculae of a layer</source>
+        <translation>trabecole di uno strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that appear</source>
+        <translation>trabecole che appaiono</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that end</source>
+        <translation>trabecole che finiscono</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that join</source>
+        <translation>trabecole che si uniscono</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>trabeculae that overlap several of the next slice (splits) or of the one before (joins), over that distance</source>
         <translation>trabecole che si sovrappongono a più d'una della sezione successiva (divisioni) o della precedente (unioni), su quella distanza</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae that split</source>
+        <translation>trabecole che si dividono</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabeculae too small to be followed</source>
+        <translation>trabecole troppo piccole per essere seguite</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>trabecular area</source>
         <translation>area trabecolare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>trabecular area range, mm2</source>
+        <translation>area trabecolare, intervallo, mm2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>trabecular area, net of holes</source>
+        <translation>area trabecolare al netto dei fori</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -4955,6 +7196,27 @@
         <translation>triangoli del corpo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>triangles of the mesh</source>
+        <translation>triangoli della mesh</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>true area of the curve: it is 1.46 s^2 in the mean</source>
+        <translation>area vera della curva: in media è 1,46 s^2</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>true area of the end sections</source>
+        <translation>area vera delle sezioni di estremità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>true area, mm2</source>
+        <translation>area vera, mm2</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>true or false</source>
         <translation>vero o falso</translation>
@@ -4980,14 +7242,36 @@
         <translation>unione e compensazione richiedono il pacchetto manifold3d</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>union by parallel rays through the rods' own triangles: no Boolean</source>
+        <translation>unione con raggi paralleli attraverso i triangoli delle aste: nessuna operazione booleana</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>union of rods</source>
         <translation>unione delle aste</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>union of the rods in the envelope</source>
+        <translation>unione delle aste nell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>union of the rods, %</source>
         <translation>unione delle aste, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>unit</source>
+        <translation>unità</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>unit of the file</source>
+        <translation>unità del file</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/fill.py"/>
@@ -5000,14 +7284,32 @@
         <translation>nome sconosciuto {} in {}; sono noti {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>up to 10 % low</source>
+        <translation>fino al 10 % in meno</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/feature.py"/>
         <source>up to date</source>
         <translation>aggiornato</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>value</source>
+        <translation>valore</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
         <source>value of b over value of a, less 1; 0 = equal</source>
         <translation>valore di b su valore di a, meno 1; 0 = uguali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>variable</source>
+        <translation>variabile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/variants.py"/>
@@ -5030,9 +7332,34 @@
         <translation>i vertici delle aste devono avere la forma (aste, vertici, 3), qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>voids that no opening reaches</source>
+        <translation>vuoti che nessuna apertura raggiunge</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
         <source>voids without an opening</source>
         <translation>vuoti senza apertura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume along</source>
+        <translation>volume lungo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>volume along {}, sum of area x thickness against the mesh, mm3</source>
+        <translation>volume lungo {}, somma di area x spessore contro la mesh, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume by slices</source>
+        <translation>volume dalle sezioni</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume by the triangles, BV/TV</source>
+        <translation>volume dai triangoli, BV/TV</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5040,14 +7367,50 @@
         <translation>volume dai triangoli; ciò che si sovrappone conta due volte</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of layers outside of the envelope</source>
+        <translation>volume degli strati fuori dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the STEP scaffold</source>
+        <translation>volume dello scaffold STEP</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>volume of the body's box</source>
         <translation>volume del parallelepipedo del corpo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the channels</source>
+        <translation>volume dei canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the envelope</source>
+        <translation>volume dell'involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the mesh and of the voxels, mm3</source>
         <translation>volume della mesh e dei voxel, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the mesh by the divergence theorem</source>
+        <translation>volume della mesh col teorema della divergenza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the mesh of the same rods</source>
+        <translation>volume della mesh delle stesse aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume of the mesh over the body's length</source>
+        <translation>volume della mesh sulla lunghezza del corpo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
@@ -5055,9 +7418,44 @@
         <translation>volume delle aste, solidi contro mesh, mm3</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the scaffold</source>
+        <translation>volume dello scaffold</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/second_routes.py"/>
         <source>volume of the scaffold, solid against mesh, mm3</source>
         <translation>volume dello scaffold, solido contro mesh, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>volume of the solid by the kernel</source>
+        <translation>volume del solido dal nucleo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>volume of the triangles by the divergence theorem</source>
+        <translation>volume dei triangoli col teorema della divergenza</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>volume of the voxels</source>
+        <translation>volume dei voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>volume of {}, mm3</source>
+        <translation>volume ({}), mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <source>volume, mm3</source>
+        <translation>volume, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>volume, mm³</source>
+        <translation>volume, mm³</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5075,9 +7473,31 @@
         <translation>progetto a voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>voxel, mm</source>
+        <translation>voxel, mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <source>voxels</source>
         <translation>voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels asked for in a layer</source>
+        <translation>voxel richiesti in uno strato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels asked for, counted by a routine of its own (core/voxels/verification.py)</source>
+        <translation>voxel richiesti, contati da una procedura a sé (core/voxels/verification.py)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
+        <source>voxels made in a layer</source>
+        <translation>voxel fatti in uno strato</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
@@ -5090,14 +7510,14 @@
         <translation>i voxel devono essere grandi quanto gli strati del campione, {} mm lungo {}, qui {} mm, che fanno {} strati dei {} del campione: sezionarlo di nuovo in strati di {} mm</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>voxels of {} mm would resolve them</source>
-        <translation>voxel di {} mm le risolverebbero</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/strategies/by_field.py"/>
         <source>voxels where the chosen field is highest, as nearly as the counts of the layers allow</source>
         <translation>voxel dove il campo scelto è più alto, per quanto lo consentono i conteggi degli strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>watertight</source>
+        <translation>a tenuta</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5113,6 +7533,11 @@
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>wavelengths must be three lengths above 2 voxels, got {}</source>
         <translation>le lunghezze d'onda devono essere tre lunghezze oltre 2 voxel, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>what</source>
+        <translation>che cosa</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/packing.py"/>
@@ -5136,6 +7561,31 @@
         <translation>che cosa incontra che cosa</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>what overlaps was united</source>
+        <translation>ciò che si sovrappone è stato unito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
+        <source>whether a design exists</source>
+        <translation>se esiste un progetto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
+        <source>which is up to 10 % low</source>
+        <translation>che è fino al 10 % in meno</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>whole</source>
+        <translation>intero</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>wider than {} mm bridged</source>
+        <translation>più larghe di {} mm superate</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/texture.py"/>
         <source>width of a texture must be 0.02 to 1, got {}</source>
         <translation>la larghezza di una tessitura deve stare da 0.02 a 1, qui {}</translation>
@@ -5147,14 +7597,14 @@
         <translation>telaio</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
-        <source>within the mask</source>
-        <translation>nella maschera</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>
         <source>within the mask layer {} along {} holds {} voxels, but is asked for {}</source>
         <translation>nella maschera lo strato {} lungo {} contiene {} voxel, ma ne sono chiesti {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
+        <source>within the mask{}</source>
+        <translation>nella maschera{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/cli_layers.py"/>
@@ -5174,9 +7624,9 @@
         <translation>scrittura del foglio {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/design.py"/>
-        <source>{} % of it lie </source>
-        <translation>{} % di esso sta </translation>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>yes</source>
+        <translation>sì</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/triangles.py"/>
@@ -5187,6 +7637,26 @@
         <location filename="../../freecad_trabecula/features/base.py"/>
         <source>{} (the zero vector)</source>
         <translation>{} (il vettore nullo)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} about {} mm</source>
+        <translation>{} intorno a {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>{} against {}</source>
+        <translation>{} contro {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} against {}, {} apart</source>
+        <translation>{} contro {}, distanti {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} against {}, {} of it apart</source>
+        <translation>{} contro {}, distanti {} di esso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
@@ -5202,6 +7672,16 @@
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>{} and {} layers of {} and {} voxels</source>
         <translation>{} e {} strati di {} e {} voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>{} and {} more stretches</source>
+        <translation>{} e altri {} tratti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} apart</source>
+        <translation>distanti {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5291,6 +7771,11 @@
         <translation>{} non si è potuto scrivere: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} end sections; their true area is {} of the estimated.</source>
+        <translation>{} sezioni di estremità; la loro area vera è {} volte quella stimata.</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/engines.py"/>
         <source>{} engine, {} rods, {} triangles, cells of {} mm: about {} s and {} GB</source>
         <translation>motore {}, {} aste, {} triangoli, celle di {} mm: circa {} s e {} GB</translation>
@@ -5344,6 +7829,11 @@
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>{} layers of {} voxels cannot hold {}</source>
         <translation>{} strati di {} voxel non possono contenerne {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} mm {} on {}</source>
+        <translation>{} mm {} su {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -5706,6 +8196,11 @@
         <translation>{} di una mesh devono avere la forma (numero, 3), qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
+        <source>{} of it apart</source>
+        <translation>distanti {} di esso</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of the body and the voxels</source>
         <translation>{} del corpo e dei voxel</translation>
@@ -5716,9 +8211,19 @@
         <translation>{} dell'involucro</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <source>{} of {}</source>
+        <translation>{} di {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
         <source>{} of {} and {}</source>
         <translation>{} di {} e {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} of {} rods were faulty when they were drawn.</source>
+        <translation>{} aste su {} erano difettose quando sono state estratte.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/design.py"/>
@@ -5766,14 +8271,31 @@
         <translation>{} sezioni, {} guaste, frazione ossea {} %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
+        <source>{} standard errors, loose pieces and voids left aside</source>
+        <translation>{} errori standard, senza pezzi staccati e vuoti</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>{} that no opening reaches, {} mm3 together: {}</source>
         <translation>{} senza apertura, {} mm3 insieme: {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>{} through others: what overlaps {} (fill rule '{}')</source>
+        <translation>{} attraverso altre: ciò che si sovrappone {} (regola di riempimento '{}')</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
+        <location filename="../../freecad_trabecula/core/analysis/report_text.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/report_text.py"/>
         <source>{} to {}</source>
         <translation>da {} a {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{} to {} ({})</source>
+        <translation>da {} a {} ({})</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/meshes.py"/>
@@ -5794,6 +8316,11 @@
         <location filename="../../freecad_trabecula/features/migrations.py"/>
         <source>{} was made by a later version of Trabecula: its schema must be at most {}, got {}; update Trabecula</source>
         <translation>{} è stato fatto da una versione successiva di Trabecula: il suo schema deve essere al più {}, qui {}; aggiornare Trabecula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/report.py"/>
+        <source>{} without area: no slice is spoilt by that</source>
+        <translation>{} senza area: nessuna sezione è guasta per questo</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -5824,6 +8351,16 @@
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>{} {} times</source>
         <translation>{} {} volte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{}, box of {} mm</source>
+        <translation>{}, parallelepipedo {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{}, box of {} mm about {} mm</source>
+        <translation>{}, parallelepipedo {} mm intorno a {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -5864,6 +8401,16 @@
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>{}, line {}: the axis must be x, y or z, got {}</source>
         <translation>{}, riga {}: l'asse deve essere x, y o z, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>{}, seen from a corner</source>
+        <translation>{}, visto da un angolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/report_text.py"/>
+        <source>{}, size {} mm</source>
+        <translation>{}, dimensione {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
@@ -6072,6 +8619,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
+        <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
         <source>{}: {} against {}, {} apart (at most {})</source>
         <translation>{}: {} contro {}, distanti {} (al più {})</translation>
     </message>
@@ -6099,6 +8647,16 @@
         <location filename="../../freecad_trabecula/core/voxels/volume_files.py"/>
         <source>{}: {} x {} x {} values of {} are {} bytes, got {}</source>
         <translation>{}: {} x {} x {} valori di {} sono {} byte, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; closed layers need a Boolean</source>
+        <translation>{}; gli strati chiusi richiedono un'operazione booleana</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/engines.py"/>
+        <source>{}; exact</source>
+        <translation>{}; esatto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/optional_packages.py"/>

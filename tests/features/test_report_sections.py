@@ -38,7 +38,7 @@ class ReportCase(DocumentCase):
         self.assertIn("&lt;b&gt;Mine&lt;/b&gt;", page)
         self.assertNotIn("<b>Mine", page)
         self.assertIn(f"{design.scaffold.Porosity:.2f}", page)
-        for words in ("Slice analysis: Analysis Scaffold", "Comparison: Analysis Scaffold and Analysis Envelope",
+        for words in ("Slice analysis: Analysis Scaffold", "Comparison: Analysis Scaffold, Analysis Envelope",
                       "scaffold + channels + loose pieces = envelope, mm³", "volume of the rods, solids against meshes",
                       "Kolmogorov-Smirnov", "FreeCAD"):  # fmt: skip
             self.assertIn(words, page)

@@ -2,6 +2,7 @@
 """The window in German: texts, choices, refusals, decimal commas; documents, files and macros as in every language."""
 
 import json
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -10,19 +11,28 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 from window import WindowTest, type_into
-from words import choices_of, command_texts, label_texts
+from words import choices_of, command_texts, english_in, label_texts
 
 from freecad_trabecula import make
+from freecad_trabecula.core.analysis.morphometry import TABLE
 from freecad_trabecula.core.analysis.parameters import SliceParameters
+from freecad_trabecula.core.analysis.passport import DEFINITIONS
+from freecad_trabecula.core.booleans import manifold_available
+from freecad_trabecula.core.explanations.registry import all_keys, explanation
+from freecad_trabecula.core.language import Language
 from freecad_trabecula.core.laws import KINDS, Law
 from freecad_trabecula.core.parameters import PoreParameters
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.errors import ParameterError
 from freecad_trabecula.gui import language, panels, transactions
 from freecad_trabecula.gui.fields import NumberField
 from freecad_trabecula.gui.form import field_for
+from freecad_trabecula.gui.help_dock import show_help
+from freecad_trabecula.gui.help_pages import GLOSSARY
 from freecad_trabecula.gui.law_field import LawField
 from freecad_trabecula.gui.outcome import Estimate, porosity_text
+from freecad_trabecula.gui.report_writing import report_words
 
 #: Read by tests/run.py, which writes it into FreeCAD's settings.
 LANGUAGE = "German"
@@ -193,3 +203,63 @@ class PropertyTest(WindowTest):
             said = wireframe.getDocumentationOfProperty(name)
             self.assertNotEqual(FreeCAD.Qt.translate("App::Property", said), said, name)
         self.assertTrue(QtCore.QCoreApplication.translate("App::Property", "Engine that cut the channels"))
+
+
+class ExplanationTest(unittest.TestCase):
+    def test_no_explanation_of_a_number_is_english(self):
+        for key in all_keys():
+            for word, text in explanation(key).rows((), language.in_words):
+                self.assertEqual(english_in(text), "", (key, word, text))
+
+    def test_both_routes_are_told_with_commas(self):
+        both = "scaffold: 1.25 against 2.5, 0.5 apart (at most 0.1)"
+        found = explanation("design.porosity").rows([both], language.in_words)
+        self.assertEqual(found[-1], ("both routes", "Gerüst: 1,25 gegen 2,5, 0,5 auseinander (höchstens 0,1)"))
+
+
+class GlossaryTest(WindowTest):
+    def test_the_glossary_is_german_and_the_pages_that_nobody_translated_are_there(self):
+        dock = show_help(GLOSSARY)
+        self.assertIn("der Körper, der gefüllt wird", dock.view.toPlainText())
+        show_help("method.md#3-couplings-thesis-245-423")
+        self.assertIn("Couplings", dock.view.toPlainText())
+        dock.hide()
+
+
+class ReportTest(WindowTest):
+    maxDiff = None
+
+    def pieces(self):
+        """Return what a report of everything says, as pairs of what core says and what is written."""
+        found = {}
+
+        def words(text):
+            found[text] = report_words(text)
+            return found[text]
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "report.html"
+            make.write_report(self.document, path, language=Language(language.language(), words))
+            page = path.read_text(encoding="utf-8")
+        self.assertIn('<html lang="de">', page)
+        return found
+
+    @unittest.skipUnless(manifold_available(), "manifold3d is not installed: nothing that needs Booleans is tested")
+    def test_nothing_of_a_report_is_english(self):
+        make.make_design(self.document, preset("case1"), ("network", "scaffold"))
+        body = self.document.addObject("Part::Feature", "Winkel")
+        body.Shape = make.make_box(self.document, 4, 4, 4).Shape.cut(make.make_box(self.document, 2, 2, 4).Shape)
+        half = SliceParameters(thickness=0.5)
+        for _ in range(2):
+            make.make_analysis(self.document, body, half, morphometry=True)
+        make.make_voxel_design(self.document, body, VoxelParameters(size=(0.5, 0.5, 0.5)))
+        self.document.recompute()
+        found = self.pieces()
+        self.assertGreater(len(found), 300)
+        self.assertEqual({text: said for text, said in found.items() if english_in(said)}, {})
+        # names of parameters are those of scripts, signs of measures and authors the same everywhere
+        named = {*VoxelParameters.__dataclass_fields__, *TABLE, *DEFINITIONS, *(f"{one} area" for one in DEFINITIONS)}
+        own = re.compile(r".*DOI|.*\(S_V|FreeCAD \d|.*Winkel|Wireframe$|Face\d")
+        kept = [text for text, said in found.items() if text == said and text not in named and not own.match(text)]
+        self.assertEqual([text for text in kept if re.search(r"[A-Za-z]{3}", text)], [])
+        self.assertEqual(found["porosity, % (Eq. 2.2)"], "Porosität, % (Gl. 2.2)")

@@ -163,7 +163,7 @@ def _score_table(scores: Sequence[Mapping[str, Any]]) -> str:
         unit = "" if score["unit"] == "1" else score["unit"]
         cells.setdefault((score["of"], score["symbol"], unit), {})[score["where"]] = _score(score["value"])
     rows = [[*key, *(values.get(place, "") for place in places)] for key, values in cells.items()]
-    return table(["of", "score", "unit", *(place.upper() if len(place) == 1 else place for place in places)], rows)
+    return table(["of", "score", "unit", *("whole" if place == "whole" else place.upper() for place in places)], rows)
 
 
 def _score(value: Optional[float]) -> str:

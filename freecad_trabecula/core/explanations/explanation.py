@@ -6,6 +6,8 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import Any, List, Mapping, NamedTuple, Sequence, Tuple
 
+from ..language import Words
+
 #: A second route that there is not.
 NONE = "none"
 
@@ -44,19 +46,21 @@ class Explanation(NamedTuple):
     check: str = ""
     beside: str = ""
 
-    def rows(self, found: Sequence[str] = ()) -> List[Tuple[str, str]]:
+    def rows(self, found: Sequence[str] = (), words: Words = str) -> List[Tuple[str, str]]:
         """Return what a reader is told, as pairs of a word and a text.
 
         Parameters
         ----------
         found : sequence of str
             Values by both routes and their difference, where they are at hand.
+        words : callable
+            Puts texts and numbers into the reader's language; the words of the pairs stay as they are.
         """
-        tail = f", {self.unit}" if self.unit else ""
-        head = f"{self.name}{f' ({self.symbol})' if self.symbol else ''}{tail}"
-        second = f"{self.second}; {self.tolerance}" if self.tolerance else self.second
-        rows = [("number", head), ("formula", self.formula), ("source", self.source), ("second route", second)]
-        return rows + [("both routes", one) for one in found]
+        tail = f", {words(self.unit)}" if self.unit else ""
+        head = f"{words(self.name)}{f' ({self.symbol})' if self.symbol else ''}{tail}"
+        second = "; ".join(words(one) for one in (self.second, self.tolerance) if one)
+        rows = [("number", head), ("formula", words(self.formula)), ("source", words(self.source))]
+        return [*rows, ("second route", second), *(("both routes", words(one)) for one in found)]
 
 
 def routes_found(

@@ -111,7 +111,7 @@ _SECOND: Dict[str, Tuple[str, str, str]] = {
     "BS/BV.vox": ("area and volume of the triangles, BS/BV", "no tolerance: voxels round the surface", "BS/BV"),
     "DA": ("normals of the triangles, DA.mesh", "up to 10 % low", "DA.mesh"),
     "DA.mesh": ("lines through the voxels, DA", "which is up to 10 % low", "DA"),
-    "Euler": ("parts - handles + cavities by another program in the tests (scikit-image)", "equal numbers", ""),
+    "Euler": ("parts less handles plus cavities by another program in the tests (scikit-image)", "equal numbers", ""),
 }  # fmt: skip
 #: Articles in which scores are defined; the others are defined here.
 _ARTICLES = {

@@ -9,6 +9,8 @@ from typing import List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
+from ..language import Words
+
 #: Colours that are told apart by colour-blind readers, on light and on dark (Wong 2011, doi:10.1038/nmeth.1618).
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _TOP, _BOTTOM = 460, 240, 52, 10, 26, 36
@@ -24,14 +26,18 @@ class Line(NamedTuple):
     y: np.ndarray
 
 
-def line_chart(title: str, across: str, lines: Sequence[Line]) -> str:
-    """Return a diagram of curves over a common axis; an empty text if there is nothing to draw."""
+def line_chart(title: str, across: str, lines: Sequence[Line], words: Words = str) -> str:
+    """Return a diagram of curves over a common axis; an empty text if there is nothing to draw.
+
+    ``words`` puts the title, the name of the axis and the numbers into a language.
+    """
+    title, across = words(title), words(across)
     lines = [_thinned(line) for line in lines if np.isfinite(line.y).any()]
     if not lines:
         return ""
     xs, ys = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
     x_ticks, y_ticks = _ticks(np.nanmin(xs), np.nanmax(xs)), _ticks(min(np.nanmin(ys), 0.0), np.nanmax(ys))
-    parts = [*_frame(title, across, x_ticks, y_ticks)]
+    parts = [*_frame(title, across, x_ticks, y_ticks, words)]
     for number, line in enumerate(lines):
         colour = COLOURS[number % len(COLOURS)]
         path = _path(_place(line.x, x_ticks, _LEFT, _WIDTH - _RIGHT), _place(line.y, y_ticks, _HEIGHT - _BOTTOM, _TOP))
@@ -40,14 +46,15 @@ def line_chart(title: str, across: str, lines: Sequence[Line]) -> str:
     return _svg(title, parts)
 
 
-def bar_chart(title: str, across: str, edges: Sequence[float], counts: Sequence[float]) -> str:
-    """Return a histogram; an empty text if there is nothing to draw."""
+def bar_chart(title: str, across: str, edges: Sequence[float], counts: Sequence[float], words: Words = str) -> str:
+    """Return a histogram; an empty text if there is nothing to draw. ``words`` as in ``line_chart``."""
+    title, across = words(title), words(across)
     if not len(counts) or not max(counts) > 0:
         return ""
     x_ticks, y_ticks = _ticks(edges[0], edges[-1]), _ticks(0.0, max(counts))
     x = _place(np.asarray(edges, float), x_ticks, _LEFT, _WIDTH - _RIGHT)
     y = _place(np.asarray(counts, float), y_ticks, _HEIGHT - _BOTTOM, _TOP)
-    parts = _frame(title, across, x_ticks, y_ticks)
+    parts = _frame(title, across, x_ticks, y_ticks, words)
     for left, right, top in zip(x[:-1], x[1:], y):
         parts.append(
             f'<rect x="{left + 0.5:.1f}" y="{top:.1f}" width="{max(right - left - 1, 0.5):.1f}" '
@@ -87,23 +94,23 @@ def _path(x: np.ndarray, y: np.ndarray) -> str:
     return "".join(words)
 
 
-def _frame(title: str, across: str, x_ticks: Sequence[float], y_ticks: Sequence[float]) -> List[str]:
+def _frame(title: str, across: str, x_ticks: Sequence[float], y_ticks: Sequence[float], words: Words) -> List[str]:
     parts = [f'<text x="{_LEFT}" y="14" font-weight="bold">{escape(title)}</text>']
     middle = (_LEFT + _WIDTH - _RIGHT) / 2
     parts.append(f'<text x="{middle:.0f}" y="{_HEIGHT - 4}" text-anchor="middle">{escape(across)}</text>')
-    for value, place in _with_places(x_ticks, _LEFT, _WIDTH - _RIGHT):
-        parts.append(f'<text x="{place:.1f}" y="{_HEIGHT - _BOTTOM + 14}" text-anchor="middle">{value:g}</text>')
-    for value, place in _with_places(y_ticks, _HEIGHT - _BOTTOM, _TOP):
+    for number, place in _with_places(x_ticks, _LEFT, _WIDTH - _RIGHT, words):
+        parts.append(f'<text x="{place:.1f}" y="{_HEIGHT - _BOTTOM + 14}" text-anchor="middle">{number}</text>')
+    for number, place in _with_places(y_ticks, _HEIGHT - _BOTTOM, _TOP, words):
         parts.append(
             f'<path d="M{_LEFT} {place:.1f}H{_WIDTH - _RIGHT}" stroke="currentColor" stroke-opacity="0.2"/>'
-            f'<text x="{_LEFT - 5}" y="{place + 4:.1f}" text-anchor="end">{value:g}</text>'
+            f'<text x="{_LEFT - 5}" y="{place + 4:.1f}" text-anchor="end">{number}</text>'
         )
     return parts
 
 
-def _with_places(ticks: Sequence[float], low: float, high: float) -> List[Tuple[float, float]]:
-    rounded = [float(f"{value:.6g}") for value in ticks]
-    return list(zip(rounded, _place(np.asarray(ticks), ticks, low, high).tolist()))
+def _with_places(ticks: Sequence[float], low: float, high: float, words: Words) -> List[Tuple[str, float]]:
+    numbers = [words(f"{float(f'{value:.6g}'):g}") for value in ticks]
+    return list(zip(numbers, _place(np.asarray(ticks), ticks, low, high).tolist()))
 
 
 def _legend(names: Sequence[str]) -> List[str]:

@@ -9,6 +9,7 @@ from typing import List, Sequence, Tuple
 from ..explanations.explanation import routes_found
 from ..explanations.registry import explanation
 from ..explanations.report_rows import keys_of_table
+from ..language import ENGLISH, Language, Words
 from .markup import html_of, rows_of, table
 from .sections import MOST_BYTES, Section
 
@@ -52,8 +53,14 @@ _WORDS = {
     "voxel design": "Voxel design",
 }
 
+_HEAD = "Lengths are mm. Under each table stands why its numbers are what they are."
+_WHY = "Why? Formulas, sources, second routes"
+_LEFT_OUT = "Left out, to keep this file small:"
 
-def report_page(sections: Sequence[Section], title: str, notes: Sequence[str] = ()) -> str:
+
+def report_page(
+    sections: Sequence[Section], title: str, notes: Sequence[str] = (), language: Language = ENGLISH
+) -> str:
     """Return a report as one HTML page.
 
     Parameters
@@ -62,29 +69,32 @@ def report_page(sections: Sequence[Section], title: str, notes: Sequence[str] = 
     title : str
     notes : sequence of str
         What is to be said before all else.
+    language : Language
+        What the page is written in; its diagrams are those of the sections.
 
     Returns
     -------
     str
         It needs no network and no other file; the same sections give the same text.
     """
-    names = [f"{_WORDS[one.kind]}: {one.name}" for one in sections]
+    words = language.words
+    names = [_title(one, words) for one in sections]
     room = MOST_BYTES
     parts = []
     for number, section in enumerate(sections, 1):
-        told = _Told(section)
-        body, room = _pictures(section, room)
-        pages = [html_of(page, told.after) for page in section.pages()]
+        told = _Told(section, words)
+        body, room = _pictures(section, room, words)
+        pages = [html_of(page, told.after, words=words) for page in section.pages()]
         # the first heading is the section's own; pictures come right after it
         head = f"<h2 id='part{number}'>{escape(names[number - 1])}</h2>"
         pages[0] = pages[0].split("</h2>", 1)[-1]
         parts.append("\n".join(["<section>", head, body, *pages, "</section>"]))
     listed = "".join(f"<li><a href='#part{k}'>{escape(name)}</a></li>" for k, name in enumerate(names, 1))
-    said = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    said = "".join(f"<li>{escape(words(note))}</li>" for note in notes)
     return "\n".join(
         [
             "<!DOCTYPE html>",
-            '<html lang="en">',
+            f'<html lang="{language.code}">',
             "<head>",
             '<meta charset="utf-8">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
@@ -93,10 +103,10 @@ def report_page(sections: Sequence[Section], title: str, notes: Sequence[str] = 
             "</head>",
             "<body>",
             f"<h1>{escape(title)}</h1>",
-            "<p>Lengths are mm. Under each table stands why its numbers are what they are.</p>",
+            f"<p>{escape(words(_HEAD))}</p>",
             *([f"<ul>{said}</ul>"] if said else []),
             f"<nav><ul>{listed}</ul></nav>",
-            _seeds(sections),
+            _seeds(sections, words),
             *parts,
             "</body>",
             "</html>",
@@ -105,48 +115,52 @@ def report_page(sections: Sequence[Section], title: str, notes: Sequence[str] = 
     )
 
 
-def _seeds(sections: Sequence[Section]) -> str:
+def _title(section: Section, words: Words) -> str:
+    return f"{words(_WORDS[section.kind])}: {section.name}"
+
+
+def _seeds(sections: Sequence[Section], words: Words) -> str:
     """Seed and verdict of each part, at one glance."""
     rows = []
     for one in sections:
         seed = one.record.get("seed")
         ok = one.record.get("ok")
+        verdict = "" if ok is None else words("all held" if ok else "not all held")
         checks = one.checks()
         rows.append(
             [
-                f"{_WORDS[one.kind]}: {one.name}",
+                _title(one, words),
                 "" if seed is None else str(seed),
-                "" if ok is None else ("all held" if ok else "**not all held**"),
+                f"**{verdict}**" if ok is False else verdict,
                 str(len(checks)),
             ]
         )
-    return table(("part", "seed", "checks", "numbers by two routes"), rows)
+    head = [words(one) for one in ("part", "seed", "checks", "numbers by two routes")]
+    return table(head, rows)
 
 
-def _pictures(section: Section, room: int) -> Tuple[str, int]:
+def _pictures(section: Section, room: int, words: Words) -> Tuple[str, int]:
     """Pictures and diagrams, as far as there is room; what is left out is said."""
     parts, left_out = [], []
     for one in section.pictures:
         if len(one.content) > room:
-            left_out.append(one.caption)
+            left_out.append(words(one.caption))
             continue
         room -= len(one.content)
-        caption = escape(one.caption)
-        parts.append(
-            f'<figure><img src="{one.address}" alt="{escape(one.caption, quote=True)}">'
-            f"<figcaption>{caption}</figcaption></figure>"
-        )
+        caption = escape(words(one.caption), quote=True)
+        parts.append(f'<figure><img src="{one.address}" alt="{caption}"><figcaption>{caption}</figcaption></figure>')
     parts += [f"<figure>{chart}</figure>" for chart in section.charts]
     if left_out:
-        parts.append(f"<p>Left out, to keep this file small: {escape(', '.join(left_out))}.</p>")
+        parts.append(f"<p>{escape(words(_LEFT_OUT))} {escape(', '.join(left_out))}.</p>")
     return "\n".join(parts), room
 
 
 class _Told:
     """Tells below each table of a section why its numbers are what they are, each number once."""
 
-    def __init__(self, section: Section) -> None:
+    def __init__(self, section: Section, words: Words) -> None:
         self.section, self.checks, self.values = section, section.checks(), section.values()
+        self.words = words
         self._seen: List[str] = []
 
     def after(self, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -155,8 +169,9 @@ class _Told:
         self._seen += keys
         if not keys:
             return ""
-        parts = ["<details><summary>Why? Formulas, sources, second routes</summary>"]
+        parts = [f"<details><summary>{escape(self.words(_WHY))}</summary>"]
         for key in keys:
             one = explanation(key)
-            parts.append(rows_of(one.rows(routes_found(one, self.checks, self.values))))
+            rows = one.rows(routes_found(one, self.checks, self.values), self.words)
+            parts.append(rows_of([(self.words(term), text) for term, text in rows]))
         return "".join([*parts, "</details>"])

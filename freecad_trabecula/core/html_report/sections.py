@@ -14,6 +14,7 @@ from ..analysis.analysis import Analysis
 from ..analysis.folder import load_analysis
 from ..analysis.report import KIND as ANALYSIS
 from ..analysis.report_text import analysis_markdown
+from ..language import Words
 from ..report_text import report_markdown as design_markdown
 from ..stl import read_stl
 from ..voxels.image_stacks import png_bytes
@@ -65,7 +66,7 @@ class Section(NamedTuple):
     @property
     def name(self) -> str:
         """What it is of."""
-        return str(self.record.get("name") or " and ".join(map(str, self.record.get("names", ()))))
+        return str(self.record.get("name") or ", ".join(map(str, self.record.get("names", ()))))
 
     def pages(self) -> Sequence[str]:
         """Return the pages of its report as Markdown."""
@@ -165,7 +166,7 @@ def _own_pictures(place: Path, record: Mapping[str, Any]) -> Sequence[Picture]:
     return found
 
 
-def analysis_charts(analysis: Analysis) -> Sequence[str]:
+def analysis_charts(analysis: Analysis, words: Words = str) -> Sequence[str]:
     """Return the profiles of an analysis along its axes as diagrams (figures 5.8, 5.9, 5.13 to 5.15)."""
     found = []
     for name, title, factor in (
@@ -177,14 +178,14 @@ def analysis_charts(analysis: Analysis) -> Sequence[str]:
             Line(axis.upper(), profile.coordinate, factor * getattr(profile, name))
             for axis, profile in analysis.profiles.items()
         ]
-        found.append(line_chart(title, "co-ordinate along the axis, mm", lines))
+        found.append(line_chart(title, "co-ordinate along the axis, mm", lines, words))
     return [chart for chart in found if chart]
 
 
-def design_charts(record: Mapping[str, Any]) -> Sequence[str]:
+def design_charts(record: Mapping[str, Any], words: Words = str) -> Sequence[str]:
     """Return the sizes of a design's end sections as a diagram."""
     histogram = record["pores"].get("size_histogram")
     if not histogram:
         return ()
     title = "end sections by size"
-    return [bar_chart(title, "size, mm", histogram["edges_mm"], histogram["counts"])]
+    return [bar_chart(title, "size, mm", histogram["edges_mm"], histogram["counts"], words)]

@@ -211,11 +211,13 @@ def target_notes(targets: Targets) -> Tuple[str, ...]:
     notes = []
     thickness = targets.thickness / max(targets.voxel)
     if thickness < LEAST_THICKNESS:
-        outside = "" if targets.sample is None else f"{100 * share_outside_blocks(targets.sample):.0f} % of it lie "
+        outside = ""
+        if targets.sample is not None:
+            share = 100 * share_outside_blocks(targets.sample)
+            outside = f" ({share:.0f} % of it lie outside any block of 2 x 2 x 2 voxels)"
         notes.append(
-            f"the sample's mean thickness is {thickness:.2g} voxels; below {LEAST_THICKNESS:g} its struts are not "
-            + (f"resolved ({outside}outside any block of 2 x 2 x 2 voxels): " if outside else "resolved: ")
-            + f"voxels of {targets.thickness / LEAST_THICKNESS:.2g} mm would resolve them"
+            f"the sample's mean thickness is {thickness:.2g} voxels; below {LEAST_THICKNESS:g} its trabeculae are not "
+            f"resolved{outside}: voxels of {targets.thickness / LEAST_THICKNESS:.2g} mm would resolve them"
         )
     for axis, counts in zip("XYZ", targets.counts):
         used = np.flatnonzero(counts)

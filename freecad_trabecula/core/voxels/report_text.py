@@ -7,6 +7,9 @@ from typing import Any, List, Mapping, Sequence, Tuple
 
 from .report import THESIS_SECONDS
 
+#: Phases as the record names them, and as a reader does.
+_PHASES = {"feasibility": "whether a design exists", "design": "the design", "verification": "counting it anew"}
+
 
 def report_markdown(record: Mapping[str, Any], pictures: Sequence[Tuple[str, str]] = ()) -> str:
     """Return a record (``report.design_record``) as Markdown.
@@ -19,7 +22,7 @@ def report_markdown(record: Mapping[str, Any], pictures: Sequence[Tuple[str, str
     parts = [
         f"# Voxel design of {record['name']}",
         _verdict(record),
-        *(f"**Note:** {note}." for note in record["notes"]),
+        *(f"**Note:** {note}" for note in record["notes"]),
         "## The design",
         _table(("what", "value"), _figures(record)),
         "## Layers",
@@ -30,7 +33,7 @@ def report_markdown(record: Mapping[str, Any], pictures: Sequence[Tuple[str, str
         *(f"![{caption}]({name})\n\n{caption}." for name, caption in pictures),
         *_studies(record),
         "## Time",
-        _table(("phase", "s"), [(name, f"{value:.3f}") for name, value in record["phases"].items()]),
+        _table(("phase", "s"), [(_PHASES.get(name, name), f"{value:.3f}") for name, value in record["phases"].items()]),
         f"The whole run took {record['seconds']:.2f} s.{_thesis_words(record)}",
         "## Choices",
         _table(("choice", "value"), [(k, _words(v)) for k, v in record["parameters"].items()]),

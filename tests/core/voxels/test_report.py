@@ -74,7 +74,7 @@ def test_the_page_tells_the_figures_of_the_record_and_the_thesis_times():
     record = design_record(DESIGN, "test", 1.0, more_notes=["a note"])
     record["counting"] = {"tables alpha": {"log10": 12.3456, "standard_error": 0.01, "samples": 5}}
     page = report_markdown(record, [("layers.png", "Layers along Z")])
-    assert "| solid voxels | 13 |" in page and "**Note:** a note." in page
+    assert "| solid voxels | 13 |" in page and "**Note:** a note\n" in page
     assert "115 + 108 + 1217 s" in page
     assert "![Layers along Z](layers.png)" in page
     assert "| tables alpha | 12.35 | 0.01 |" in page
