@@ -31,7 +31,6 @@ ROOT = Path(__file__).resolve().parent.parent
 DATA = Path(os.environ.get("TRABECULA_DATA", str(ROOT.parent / "shared" / "data")))
 BONES = ("shrew_cube_10mm.stl", "trab_ior_3p86mm_12MB.stl")
 WITHIN = 0.10
-JUDGED = "But for the other program's own rules"
 
 
 def ours(path, voxels_path):
@@ -215,7 +214,8 @@ def main(arguments):
         lines.append(f"{path.stem}: {mine['shape']} voxels of {mine['size']:.5f} mm; peak memory {memory}.")
     head = ("bone", "measure", "unit", "ours", "other route", "by", "difference", "our CPU", "its CPU")
     text = "\n".join(["| " + " | ".join(row) + " |" for row in (head, ["---"] * len(head), *rows)])
-    page = "\n".join([text, "", *lines, f"{JUDGED}: all within {100 * WITHIN:.0f} %." if good else f"{JUDGED}: NOT all within 10 %.", ""])
+    verdict = f"But for the other program's own rules: {'' if good else 'NOT '}all within {100 * WITHIN:.0f} %."
+    page = "\n".join([text, "", *lines, verdict, ""])
     print(page)
     if options.rival and not options.page:
         generated_page.write_part("analysis.md", "morphometry", page)
