@@ -13,7 +13,7 @@ import numpy as np
 from ..core.analysis.analysis import Analysis
 from ..core.analysis.comparison import Comparison, SharedAxis, compare, range_text
 from ..core.analysis.passport import passport
-from ..core.analysis.plots import COLOURS, area_edges, coordinate_edges
+from ..core.analysis.plots import COLOURS, SIZES, area_edges, coordinate_edges
 from ..core.explanations.registry import TOTAL_KEYS, measure_key
 from .chart import Counts, Curve, Diagram
 from .figures import with_powers
@@ -93,7 +93,7 @@ def diagram_of(analysis: Analysis, kind: str, axis: str) -> Diagram:
         curves.append(Curve(words, profile.coordinate, values, colour, faint=name != axis))
         if name == axis:
             curves += _spoilt(profile, values)
-    return Diagram(across, label, sorted(curves, key=lambda curve: not curve.faint))
+    return Diagram(across, label, sorted(curves, key=lambda curve: not curve.faint), size=SIZES.get(kind, 0.0))
 
 
 def _spoilt(profile: Any, values: np.ndarray) -> List[Curve]:
@@ -234,7 +234,7 @@ def compared_diagram(comparison: Comparison, analyses: Sequence[Analysis], kind:
         Curve(name, shared.middles, factor * values, COLOURS[number % len(COLOURS)])
         for number, (name, values) in enumerate(zip(comparison.names, shared.values[kind]))
     ]
-    return Diagram(across, label, curves)
+    return Diagram(across, label, curves, size=SIZES.get(kind, 0.0))
 
 
 def _differences(comparison: Comparison, shared: SharedAxis, across: str) -> Diagram:
@@ -243,7 +243,7 @@ def _differences(comparison: Comparison, shared: SharedAxis, across: str) -> Dia
     for number in range(1, len(comparison.names)):
         values = shared.difference("sliced_area", number).values
         curves.append(Curve(comparison.names[number], shared.middles, values, COLOURS[number % len(COLOURS)]))
-    return Diagram(across, label, curves)
+    return Diagram(across, label, curves, size=float(np.nanmax(np.abs(shared.values["sliced_area"]))))
 
 
 def passport_of(comparison: Comparison, analyses: Sequence[Analysis]) -> Tuple[List[str], List[Row]]:

@@ -13,6 +13,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..core.axis_range import shown_range
 from ..core.colours import scale_colours
 from .language import local_number
 from .qt import paper_and_ink
@@ -42,13 +43,14 @@ class Counts(NamedTuple):
 
 
 class Diagram(NamedTuple):
-    """What a chart shows."""
+    """What a chart shows; ``size`` is that of what was compared, where y are differences."""
 
     x_label: str
     y_label: str
     curves: Sequence[Curve] = ()
     counts: Optional[Counts] = None
     is_log: bool = False
+    size: float = 0.0
 
 
 class Axis(NamedTuple):
@@ -95,17 +97,16 @@ def axes_of(diagram: Diagram) -> Tuple[Axis, Axis]:
     """Return the axes that hold all of a diagram, each at least a little long."""
     x = [curve.x for curve in diagram.curves] + ([diagram.counts.x] if diagram.counts else [])
     y = [curve.y for curve in diagram.curves] + ([diagram.counts.y] if diagram.counts else [])
-    return _axis(x, False, 0.0), _axis(y, diagram.is_log, 0.0 if diagram.counts else 0.06)
+    return _axis(x, False, 0.0), _axis(y, diagram.is_log, 0.0 if diagram.counts else 0.06, diagram.size)
 
 
-def _axis(columns: Sequence[np.ndarray], is_log: bool, margin: float) -> Axis:
+def _axis(columns: Sequence[np.ndarray], is_log: bool, margin: float, size: float = 0.0) -> Axis:
     values = np.concatenate([np.zeros(0), *(np.asarray(c, float).ravel() for c in columns)])
     values = values[np.isfinite(values) & ((values > 0) | (not is_log))]
     low, high = (float(values.min()), float(values.max())) if len(values) else (0.1, 1.0)
     if is_log:
         low, high = math.log10(low), math.log10(high)
-    if not high > low:
-        low, high = low - max(abs(low) * 0.05, 0.5), high + max(abs(high) * 0.05, 0.5)
+    low, high = shown_range(low, high, size)
     room = margin * (high - low)
     return Axis(low - room, high + room, is_log)
 

@@ -5,6 +5,7 @@ import math
 import os
 import tempfile
 import time
+from dataclasses import replace
 
 import FreeCAD
 import FreeCADGui
@@ -21,9 +22,9 @@ from freecad_trabecula.features.on_demand import COMPUTING
 from freecad_trabecula.features.relations import type_of
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.analysis_dock import KIND, dock_of_window, show_analyses
-from freecad_trabecula.gui.analysis_plots import KINDS, diagram_of
+from freecad_trabecula.gui.analysis_plots import KINDS, compared_diagram, comparison_of, diagram_of
 from freecad_trabecula.gui.analysis_saving import save
-from freecad_trabecula.gui.chart import nice_steps
+from freecad_trabecula.gui.chart import axes_of, nice_steps
 from freecad_trabecula.gui.commands import COMMANDS
 from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.preferences import preferred_colour
@@ -186,6 +187,20 @@ class DockTest(AnalysisCase):
             self.assertTrue(diagram.curves or diagram.counts is not None)
         self.dock.tabs.setCurrentIndex(len(KINDS))
         self.assertEqual(self.dock.figures.item(0, 0).text(), "Slices")
+
+    def test_equal_slices_of_a_box_are_a_level_line(self):
+        box = make.make_box(self.document, 3.3, 2.7, 4.1)
+        found = make.analysis_of(make.make_analysis(self.document, box))
+        profile = found.profiles["x"]
+        self.assertGreater(len(set(profile.sliced_area.tolist())), 1)  # rounding, of single precision
+        alone = replace(found, profiles={"x": profile}, name="box")
+        both = [alone, replace(alone, name="the same")]
+        compared = compared_diagram(comparison_of(both), both, "heat", "x")
+        for diagram in (diagram_of(alone, "sliced_area", "x"), diagram_of(alone, "porosity", "x"), compared):
+            axis = axes_of(diagram)[1]
+            shares = axis.share(np.concatenate([curve.y for curve in diagram.curves]))
+            self.assertTrue(((shares > 0.3) & (shares < 0.7)).all(), shares)
+            self.assertLess(np.ptp(shares), 1e-3)
 
     def test_the_slice_under_the_cursor_is_shown_with_its_plane(self):
         self.dock.take_axis("z")

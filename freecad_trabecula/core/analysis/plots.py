@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Sequence, 
 
 import numpy as np
 
+from ..axis_range import shown_range
 from ..optional_packages import optional_module
 from ..stl import whole_file
 from .contours import ContourMeasures
@@ -37,6 +38,8 @@ _LABELS = {
     "outer_contours": ("outer contours", 1.0),
     "largest_area": ("largest trabecular area, mm²", 1.0),
 }
+#: What a quantity is computed from, where that is larger than itself may be: a porosity is 100 % less a share.
+SIZES = {"porosity": 100.0}
 _STARTS = {"start": "from the low end", "centre": "from the middle", "own": ""}
 
 
@@ -80,6 +83,7 @@ def analysis_figures(analysis: Analysis) -> Iterator[Tuple[str, Any]]:
         figure = new_figure(8, 4.5)
         axes = figure.subplots()
         draw_profiles(axes, analysis.profiles, name)
+        _level(axes, SIZES.get(name, 0.0))
         axes.set_title(_short(analysis.name), loc="left")
         yield name, figure
     figure = new_figure(8, 2.4 * len(analysis.profiles) + 0.6)
@@ -223,6 +227,9 @@ def _difference_figure(comparison: Comparison, quantity: str) -> Any:
             axes.label_outer()
         grid[1, column].set_xlabel(_distance(shared.axis, comparison.alignment))
         grid[0, column].set_title(f"along {_title(shared.axis)}")
+    size = SIZES.get(quantity, 0.0)
+    _level(grid[0, 0], size)
+    _level(grid[1, 0], max(size, float(np.abs(grid[0, 0].get_ylim()).max())))
     _legend_of_all(figure, grid[0, 0])
     return figure
 
@@ -310,6 +317,14 @@ def _finish(axes: Any, across: str, up: str) -> None:
     axes.set_axisbelow(True)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
+
+
+def _level(axes: Any, size: float = 0.0) -> None:
+    """Draw what is equal but for rounding as a level line; ``size`` as ``shown_range`` takes it."""
+    found = axes.get_ylim()
+    shown = shown_range(*found, size)
+    if shown != found:
+        axes.set_ylim(shown)
 
 
 def _legend_above(axes: Any, **more: Any) -> None:

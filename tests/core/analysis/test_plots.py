@@ -148,3 +148,15 @@ def test_a_folder_that_is_not_there_is_refused(measured, tmp_path):
     figure = plots.new_figure(1, 1)
     with pytest.raises(ExportError, match="could not be written"):
         plots.save_figure(figure, tmp_path / "none" / "a.png", "png")
+
+
+def test_the_equal_slices_of_a_box_are_a_level_line(box):
+    solid = analyse(Soup(box((0.1, 0.2, 0.3), (3.4, 2.9, 4.4)), "mm", "box"), SliceParameters(axes=("x", "y")), False)
+    assert len({*solid.profiles["x"].sliced_area}) > 1  # rounding, of single precision
+    alone = dict(plots.analysis_figures(replace(solid, profiles={"x": solid.profiles["x"]})))
+    both = dict(plots.comparison_figures(compare([solid, solid]), [solid, solid]))["sliced_area"]
+    for axes in (alone["sliced_area"].axes[0], alone["porosity"].axes[0], both.axes[1], both.axes[3]):
+        (low, high), values = axes.get_ylim(), [line.get_ydata() for line in axes.get_lines()]
+        assert 0 <= np.max([np.ptp(one) for one in values]) < 1e-3 * (high - low)
+    x, z = both.axes[0].get_ylim()
+    assert x < 2.7 * 4.1 < z and x < 3.3 * 4.1 < z  # along x and y: one scale for both
