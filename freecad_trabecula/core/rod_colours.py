@@ -11,8 +11,9 @@ from ..errors import ParameterError
 from .colours import BLUE, GREY, ORANGE, VERMILION, Colouring, Entry, by_class, by_value
 from .wireframe import Wireframe, rows_of_rods
 
-#: What became of a rod, and its colour; those that failed are no rods any more and stand in the legend only.
-OUTCOMES = {"as drawn": BLUE, "mended": ORANGE, "leaves the envelope": VERMILION, "failed, left out": GREY}
+RECOVERY, FAILED = "recovery", "failed, left out"
+#: What became of a rod, and its colour; those that failed are no rods any more: see ``failed_lines``.
+OUTCOMES = {"as drawn": BLUE, "mended": ORANGE, "leaves the envelope": VERMILION, FAILED: GREY}
 
 
 def end_sizes(wireframe: Wireframe) -> np.ndarray:
@@ -40,18 +41,35 @@ def _by_recovery(wireframe: Wireframe) -> Colouring:
     outside = set(wireframe.outside)
     outcome = [2 if name in outside else 1 if name in mended else 0 for name in wireframe.names]
     names = list(OUTCOMES)
-    colouring = by_class(np.array(outcome, int), names, "recovery", list(OUTCOMES.values()))
+    colouring = by_class(np.array(outcome, int), names, RECOVERY, list(OUTCOMES.values()))
     if not wireframe.failed:
         return colouring
-    failed = Entry(names[3], OUTCOMES[names[3]], len(wireframe.failed))
+    failed = Entry(FAILED, OUTCOMES[FAILED], len(wireframe.failed))
     return colouring._replace(legend=colouring.legend._replace(entries=(*colouring.legend.entries, failed)))
+
+
+def failed_lines(wireframe: Wireframe) -> np.ndarray:
+    """Return the straight lines (F, 2, 3), mm, between the sites of the rods that failed and were left out.
+
+    Notes
+    -----
+    A rod is called ``<site>-<site>``, and names of sites may hold hyphens: it is split where both parts are sites.
+    """
+    sites = wireframe.sites.values()
+    places = {name: point for one in sites for name, point in zip(one.names, one.points)}
+    lines = []
+    for name in wireframe.failed:
+        words = name.split("-")
+        halves = (("-".join(words[:k]), "-".join(words[k:])) for k in range(1, len(words)))
+        lines += [[places[a], places[b]] for a, b in halves if a in places and b in places][:1]
+    return np.array(lines, float).reshape(-1, 2, 3)
 
 
 #: What rods can be coloured by.
 ROD_COLOURINGS: Dict[str, Callable[[Wireframe], Colouring]] = {
     "size": _by_size,
     "coupling": _by_coupling,
-    "recovery": _by_recovery,
+    RECOVERY: _by_recovery,
 }
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.analysis.parameters import AXES
 from ..core.colours import Colouring, by_value
-from ..core.rod_colours import ROD_COLOURINGS, rod_colouring
+from ..core.rod_colours import RECOVERY, ROD_COLOURINGS, failed_lines, rod_colouring
 from ..core.voxels.trabeculae import trabecula_counts
 from ..core.wireframe import Wireframe as CoreWireframe
 from ..errors import ParameterError
@@ -74,6 +74,13 @@ def colouring_of(obj: Any, by: str) -> Colouring:
     if is_a(obj, Wireframe):
         return rod_colouring(_shown(obj), by).of(np.repeat(np.arange(len(_shown(obj))), 2))  # a path has two pieces
     return _of_layers(obj, by)
+
+
+def missing_of(obj: Any, by: str) -> np.ndarray:
+    """Return the lines (F, 2, 3), mm, that stand for what the legend counts and the object has not: failed rods."""
+    if by != RECOVERY:
+        return np.zeros((0, 2, 3))
+    return failed_lines(_shown(obj.Wireframe if is_a(obj, Network) else obj))
 
 
 def _shown(obj: Any) -> CoreWireframe:

@@ -15,13 +15,15 @@ from pivy import coin
 
 from ..core.colours import Legend
 from ..errors import TrabeculaError
-from ..features.colouring import PLAIN, choices, colouring_of
+from ..features.colouring import PLAIN, choices, colouring_of, missing_of
 from .legend import LegendOverlay, Titled
+from .lost_rods import LostRods
 from .qt import invoke_later
 
 PROPERTY, _KEPT = "ColourBy", "PlainColour"
 _overlays: Dict[str, LegendOverlay] = {}
 _legends: Dict[str, Dict[str, Legend]] = {}  # by names of document and object
+_lost: Dict[str, Dict[str, LostRods]] = {}
 _also: Dict[str, Titled] = {}  # a legend of something else, by the document's name
 _waiting: set = set()
 
@@ -54,6 +56,7 @@ def colour(obj: Any) -> None:
             colouring = colouring_of(obj, getattr(view, PROPERTY))
             _put(view, colouring.colours)
             found[obj.Name] = colouring.legend
+            _take_lost(obj, missing_of(obj, getattr(view, PROPERTY)))
         elif was_coloured:
             _put(view, None)
     except TrabeculaError:
@@ -106,17 +109,30 @@ def show_legends(document: str) -> None:
     for obj in FreeCAD.getDocument(document).Objects if found else ():
         if obj.Name in found and obj.ViewObject.Visibility:
             shown.append(Titled(found[obj.Name], obj.Label))
+    for name, lost in _lost.get(document, {}).items():
+        obj = FreeCAD.getDocument(document).getObject(name)
+        lost.set_visible(name in found and obj is not None and obj.ViewObject.Visibility)
     shown += [_also[document]] if document in _also else []
     if shown or document in _overlays:
         _overlays.setdefault(document, LegendOverlay()).show(document, shown)
 
 
 def _forget(document: str) -> None:
-    for kept in (_overlays, _legends, _also):
+    for kept in (_overlays, _legends, _lost, _also):
         kept.pop(document, None)
 
 
 # ------------------------------------------------------------------------------------------------ into the scene
+
+
+def _take_lost(obj: Any, lines: np.ndarray) -> None:
+    """Draw what failed beside an object; it moves with it and is seen while the object is."""
+    kept = _lost.setdefault(obj.Document.Name, {})
+    if len(lines) and obj.Name not in kept:
+        kept[obj.Name] = LostRods()
+        obj.ViewObject.RootNode.addChild(kept[obj.Name].node)
+    if obj.Name in kept:
+        kept[obj.Name].take(lines)
 
 
 def _put(view: Any, colours: Optional[np.ndarray]) -> None:
@@ -188,6 +204,7 @@ class _Observer:
 
     def slotDeletedObject(self, obj: Any) -> None:
         """Take its legend away."""
+        _lost.get(obj.Document.Name, {}).pop(obj.Name, None)
         if _legends.get(obj.Document.Name, {}).pop(obj.Name, None) is not None:
             name = obj.Document.Name
             invoke_later(lambda: show_legends(name))

@@ -8,7 +8,7 @@ from typing import Dict, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from ..core.colours import Legend, scale_colours
-from ..core.rod_colours import ROD_COLOURINGS, end_sizes, rod_colouring
+from ..core.rod_colours import ROD_COLOURINGS, end_sizes, failed_lines, rod_colouring
 from ..core.rods import Rods, build_rods
 from ..core.sites import Sites
 from ..core.wireframe import Wireframe
@@ -35,6 +35,8 @@ class Drawing(NamedTuple):
         Sites in use, and those switched off or left over.
     pairs : ndarray (2 R, 3), float32
         Ends of the lines that join coupled sites.
+    lost : ndarray (F, 2, 3), mm
+        Ends of the rods that failed.
     low, high : tuple of 3 floats, mm
         The envelope's box.
     """
@@ -47,6 +49,7 @@ class Drawing(NamedTuple):
     sites: np.ndarray
     idle_sites: np.ndarray
     pairs: np.ndarray
+    lost: np.ndarray
     low: Tuple[float, float, float]
     high: Tuple[float, float, float]
 
@@ -72,6 +75,7 @@ def draw_wireframe(wireframe: Wireframe, low: Sequence[float], high: Sequence[fl
         used,
         idle,
         wireframe.paths[:, [0, 1], [0, 3]].reshape(-1, 3).astype(np.float32),
+        failed_lines(wireframe),
         tuple(low),
         tuple(high),
     )

@@ -8,8 +8,9 @@ from typing import Any, Optional
 import numpy as np
 from pivy import coin
 
-from ..core.rod_colours import ROD_COLOURINGS
+from ..core.rod_colours import RECOVERY, ROD_COLOURINGS
 from .drawing import Drawing
+from .lost_rods import LostRods
 
 COLOURINGS = tuple(ROD_COLOURINGS)
 _SITE, _IDLE_SITE, _PAIR, _EDGE = (0.1, 0.1, 0.1), (0.85, 0.25, 0.2), (0.25, 0.35, 0.55), (0.35, 0.35, 0.35)
@@ -30,6 +31,8 @@ class Preview:
         unpickable.style = coin.SoPickStyle.UNPICKABLE
         self.node.addChild(unpickable)
         self._rods, self._rods_switch = self._add_rods()
+        self.lost, self._rods_shown = LostRods(), True
+        self.node.addChild(self.lost.node)
         self._sites, self._sites_switch = self._add_points(_SITE, 5.0)
         self._idle, _ = self._add_points(_IDLE_SITE, 4.0, self._sites_switch)
         self._pairs, self._pairs_switch = self._add_lines(_PAIR, 1.0)
@@ -102,6 +105,7 @@ class Preview:
         for shape, points in ((self._sites, drawing.sites), (self._idle, drawing.idle_sites)):
             _fill(shape.vertexProperty.getValue().vertex, points)
         self._show_lines(self._pairs, drawing.pairs)
+        self.lost.take(drawing.lost)
         low, high = np.array(drawing.low), np.array(drawing.high)
         self._show_lines(self._edges, (low + _CORNERS * (high - low))[_BOX_EDGES.ravel()])
 
@@ -112,6 +116,10 @@ class Preview:
 
     def _colour(self) -> None:
         _fill(self._rods.vertexProperty.getValue().orderedRGBA, self._drawing.colours[self.colouring])
+        self._show_lost()
+
+    def _show_lost(self) -> None:
+        self.lost.set_visible(self._rods_shown and self.colouring == RECOVERY)
 
     def set_colouring(self, colouring: str) -> None:
         """Colour rods by one of ``COLOURINGS``."""
@@ -128,6 +136,8 @@ class Preview:
             (self._edges_switch, box),
         ):
             switch.whichChild = coin.SO_SWITCH_ALL if visible else coin.SO_SWITCH_NONE
+        self._rods_shown = rods
+        self._show_lost()
 
     def close(self) -> None:
         """Take the node out of the view."""

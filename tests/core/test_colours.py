@@ -10,9 +10,9 @@ from freecad_trabecula.core.assembly import make_wireframe
 from freecad_trabecula.core.colours import CLASSES, GREY, SCALE, by_class, by_value, scale_colours
 from freecad_trabecula.core.laws import Region
 from freecad_trabecula.core.presets import preset
-from freecad_trabecula.core.rod_colours import OUTCOMES, ROD_COLOURINGS, rod_colouring
+from freecad_trabecula.core.rod_colours import OUTCOMES, ROD_COLOURINGS, failed_lines, rod_colouring
 from freecad_trabecula.core.sites import prism_sites
-from freecad_trabecula.core.wireframe import Recovery
+from freecad_trabecula.core.wireframe import Recovery, without
 from freecad_trabecula.errors import ParameterError
 
 #: What eyes without red, green or blue cones see of linear red, green, blue: Machado, Oliveira, Fernandes 2009, full
@@ -117,6 +117,18 @@ def test_recovery_tells_mended_outside_and_failed_rods():
     assert counts == {
         "as drawn": len(names) - 2, "mended": 1, "leaves the envelope": 1, "failed, left out": 1
     }  # fmt: skip
+
+
+def test_failed_rods_are_lines_between_the_pores_that_they_would_have_joined():
+    made = case6()
+    assert failed_lines(made).shape == (0, 2, 3)
+    lost = np.array([0, 7, 40])  # of the first coupling, from Face1 to Face2
+    keep = np.setdiff1d(np.arange(len(made)), lost)
+    sites = {face: replace(one, index=one.index - 3) for face, one in made.sites.items()}
+    names = [f"{sites['Face1'].names[a]}-{sites['Face2'].names[b]}" for a, b in made.site_numbers[lost].tolist()]
+    assert "-2.-2-" in names[0]  # hyphens in the sites' names too
+    failed = replace(without(made, keep), sites=sites, failed=tuple(names))
+    assert np.abs(failed_lines(failed) - made.paths[lost][:, [0, 1], [0, 3]]).max() < 1e-12
 
 
 def test_another_colouring_is_refused():

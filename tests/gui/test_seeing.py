@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is seen: colours with a meaning and their legend, saved and given back; ways to look through; all undone."""
 
+import re
 import tempfile
 from pathlib import Path
+from unittest.mock import patch
 
 import FreeCAD
 import FreeCADGui
@@ -13,10 +15,12 @@ from PySide import QtGui
 from window import WindowTest, settle
 
 from freecad_trabecula import make
+from freecad_trabecula.core import recovery
 from freecad_trabecula.core.colours import SCALE
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.core.rod_colours import rod_colouring
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
+from freecad_trabecula.features import results
 from freecad_trabecula.gui import colouring, commands
 
 
@@ -99,6 +103,39 @@ class ColourTest(WindowTest):
         self.document.removeObject(self.network.Name)
         settle(0.1)
         self.assertEqual(colouring.legends_of(self.document.Name), ())
+
+    def test_failed_rods_are_lines_that_are_hidden_with_their_object_and_with_other_colours(self):
+        self.wireframe_object.ViewObject.Visibility = False
+        self.network.ViewObject.Visibility = False
+        mended = [one.rod for one in make.wireframe_of(self.wireframe_object).recoveries]
+        results.clear()
+        with patch.object(recovery, "REMEDIES", dict.fromkeys(recovery.FAULTS, ())):
+            wireframe = make.make_design(self.document, preset("case6")).wireframe
+        network = make.make_network(wireframe)
+        wireframe.ViewObject.Visibility = False
+        self.assertEqual(sorted(wireframe.Failed), sorted(mended))
+        network.ViewObject.ColourBy = "recovery"
+        settle(0.1)
+        lines = colouring._lost[self.document.Name][network.Name]
+        sites = make.wireframe_of(self.wireframe_object).sites
+        ends = [re.fullmatch(r"(Face\d).(\d+).(\d+)-(Face\d).(\d+).(\d+)", name).groups() for name in wireframe.Failed]
+        wanted = [
+            [sites[face].points[(sites[face].index == [int(i), int(j)]).all(1)][0] for face, i, j in (e[:3], e[3:])]
+            for e in ends
+        ]
+        drawn = np.array([point.getValue() for point in lines._ends.point.getValues()]).reshape(-1, 2, 3)
+        self.assertLess(abs(drawn - wanted).max(), 1e-4)
+        shown = lambda: lines.node.whichChild.getValue() == coin.SO_SWITCH_ALL  # noqa: E731
+        self.assertTrue(shown())
+        network.ViewObject.Visibility = False
+        self.assertFalse(shown())
+        network.ViewObject.Visibility = True
+        self.assertTrue(shown())
+        network.ViewObject.ColourBy = "size"
+        settle(0.1)
+        self.assertFalse(shown())
+        self.document.removeObject(network.Name)
+        self.assertEqual(colouring._lost[self.document.Name], {})
 
     def test_the_legend_is_in_the_view_and_neither_picked_nor_boxed(self):
         view = FreeCADGui.activeDocument().activeView()
