@@ -16,10 +16,11 @@ from ..core.analysis.branches import trace_branches
 from ..core.analysis.comparison import compare
 from ..core.analysis.passport import passport
 from ..core.analysis.plots import FORMATS, analysis_figures, comparison_figures, save_figure
+from ..core.estimates import Work, comparison_work, saving_work
 from ..core.progress import Progress, part, silent
 from ..errors import ExportError, ParameterError
 from . import results
-from .analysis import Analysis, contours_of, run_inputs, write_inputs
+from .analysis import Analysis, analysis_of, contours_of, run_inputs, write_inputs
 
 NO_PLOTS = "none"
 
@@ -152,6 +153,23 @@ def _draw(figures: Iterable[Tuple[str, Any]], place: Path, kind: str, progress: 
 
 def _versions() -> Dict[str, str]:
     return {"FreeCAD": ".".join(FreeCAD.Version()[:3])}
+
+
+def work_of_saving(objects: Sequence[Any], plots: bool) -> Work:
+    """Return what it takes to analyse bodies again in another process, and to save one analysis or a comparison.
+
+    Raises
+    ------
+    ParameterError
+        If one shows no analysis yet.
+    """
+    analyses = [analysis_of(obj) for obj in objects]
+    again = Work(sum(one.seconds for one in analyses))
+    slices = [[(len(one), int(one.contours.sum())) for one in each.profiles.values()] for each in analyses]
+    if len(objects) == 1:
+        return again.and_then(saving_work(slices[0], objects[0].BoneFraction / 100, plots))
+    count = sum(found for each in slices for _, found in each)
+    return again.and_then(comparison_work(count, max(map(len, slices)), plots))
 
 
 # -------------------------------------------------------------------------------------------- for another process

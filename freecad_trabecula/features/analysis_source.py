@@ -5,15 +5,18 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Dict, NamedTuple
+from typing import Any, Dict, NamedTuple, Sequence
 
 import Mesh
+import numpy as np
 import Part
 
-from ..core.analysis.triangles import Soup, read_soup
+from ..core.analysis.triangles import UNITS, Soup, guessed_unit, read_soup
+from ..core.estimates import Body, body_of, body_of_file, triangles_of_solid
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
 from ..core.records import from_record, to_record
+from ..core.wireframe import without
 from ..errors import ExportError, ParameterError
 from ..geometry.fingerprints import fingerprint
 from ..geometry.sections import mesh_soup, rods_soup, shape_soup
@@ -23,6 +26,8 @@ from .network import Network
 from .packing import read_value, write_value
 from .wireframe import Wireframe, recall
 
+_BENT_ONE_WAY = (Part.Plane, Part.Cylinder, Part.Cone)  # these get few triangles
+_SOME_RODS = 30  # whose triangles are counted for all
 _RECORD, _MESH, _SHAPE, _RODS = "{}.json", "{}.bms", "{}.bin", "{}-rods"
 
 
@@ -126,6 +131,42 @@ def _rods(wireframe: Any) -> Any:
     if value is None:
         value = results.keep(Wireframe.KIND, wireframe.ResultKey, wireframe.Proxy.make(wireframe, silent))
     return value, wireframe.Proxy.parameters(wireframe).rods
+
+
+def body_of_source(source: Source, unit: str = "auto") -> Body:
+    """Return what can be known of a source without slicing it; quick. ``unit`` is that of a file.
+
+    Raises
+    ------
+    ExportError
+        If a file cannot be read.
+    """
+    if source.kind == "file":
+        try:
+            body = body_of_file(source.body)
+            return body.scaled(UNITS[guessed_unit(body.size)[0] if unit == "auto" else unit])
+        except OSError as error:
+            raise ExportError(f"the file {source.body} could not be read: {error.strerror or error}") from error
+    box = (source.body.Shape if source.kind == "rods" else source.body).BoundBox
+    corners = np.array([[box.XMin, box.YMin, box.ZMin], [box.XMax, box.YMax, box.ZMax]])
+    if source.kind == "mesh":
+        return Body(source.body.CountFacets, corners, source.body.Volume, source.body.Area)
+    if source.kind == "shape":
+        return _body_of_solids(source.body.Solids)._replace(box=corners)
+    value, parameters = _rods(source.body)
+    rods = len(value.wireframe)
+    some = np.unique(np.linspace(0, rods - 1, min(rods, _SOME_RODS)).astype(int))
+    soup = rods_soup(without(value.wireframe, some), parameters, source.name)
+    return body_of(soup.triangles, len(soup.triangles) * rods // len(some))._replace(box=corners)
+
+
+def _body_of_solids(solids: Sequence[Part.Shape]) -> Body:
+    count = 0
+    for solid in solids:
+        curved = sum(face.Area for face in solid.Faces if not isinstance(face.Surface, _BENT_ONE_WAY))
+        count += triangles_of_solid(solid.Volume, solid.Area, curved, len(solid.Faces))
+    volume, surface = (sum(getattr(solid, name) for solid in solids) for name in ("Volume", "Area"))
+    return Body(count, np.zeros((2, 3)), volume, surface)
 
 
 # ------------------------------------------------------------------------------------------- for another process

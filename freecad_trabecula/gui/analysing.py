@@ -8,12 +8,14 @@ from typing import Any, Callable, NamedTuple
 import FreeCAD
 
 from ..core.analysis.parameters import SliceParameters
+from ..core.estimates import analysis_work, planes_of
 from ..features.analysis import Analysis, Inputs
 from ..features.analysis_makers import default_parameters, design_envelope
-from ..features.analysis_source import file_source, object_source
+from ..features.analysis_source import body_of_source, file_source, object_source
 from ..features.tasks import write_analysis_task
 from .document_work import Order, check_present, work_at_once, write_step
 from .preferences import new_slices
+from .work_text import work_text
 
 
 class Wish(NamedTuple):
@@ -89,4 +91,7 @@ def analyse_at_once(source: Any, done: Callable[[Any], None]) -> None:
     wish = Wish(
         source.Document.Name, new_slices(default_parameters(source)), source.Name, envelope.Name if envelope else ""
     )
-    work_at_once(wish.order(), done)
+    inputs = wish.inputs()
+    body = body_of_source(inputs.body)
+    planes = planes_of(inputs.parameters, body.box)
+    work_at_once(wish.order(), done, work_text(analysis_work(body, list(planes.values()))))

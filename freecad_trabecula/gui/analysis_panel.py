@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional, Tuple
 
 import FreeCAD
 
-from ..core.analysis.parameters import SliceParameters, axis_frame, plane_heights
+from ..core.analysis.parameters import SliceParameters
+from ..core.estimates import Body, analysis_work, planes_of
 from ..errors import ParameterError, TrabeculaError
 from ..features.analysis_makers import default_parameters, design_envelope
+from ..features.analysis_source import body_of_source, file_source, object_source
 from .analysing import Wish
 from .analysis_dock import show_analyses
 from .analysis_form import AnalysisForm, is_sliceable, sliceable
@@ -17,6 +19,7 @@ from .analysis_plots import title
 from .document_work import Order
 from .preferences import new_slices
 from .work_panel import WorkPanel
+from .work_text import work_text
 
 translate = FreeCAD.Qt.translate
 
@@ -38,6 +41,7 @@ class AnalysisPanel(WorkPanel):
             *(translate("Trabecula", "Slice analysis"), translate("Trabecula", "Analyse")),
             *("Trabecula_analysis", "commands/Analysis.md"),
         )
+        self._looked_at: Tuple[Tuple[str, str, str], Optional[Body]] = (("", "", ""), None)
         super().__init__(document, obj, source, AnalysisForm(self._changed), words, lambda one: show_analyses([one]))
 
     def fill(self, source: Any) -> None:
@@ -65,23 +69,33 @@ class AnalysisPanel(WorkPanel):
         self.fields.measures.fields["fill"].set_value(default_parameters(source).fill)
 
     def _changed(self) -> None:
-        """Say how many slices there will be, or what is wrong."""
+        """Say how many slices there will be and what they will take, or what is wrong."""
         try:
-            self.message.setText(self._planes(self.fields.value()))
+            self.message.setText(self._estimate(self.fields.value()))
         except TrabeculaError as error:
             self.refuse(error)
 
-    def _planes(self, parameters: SliceParameters) -> str:
-        source = self.document.getObject(self.fields.source_name()) if self.fields.source_name() else None
-        if source is None or not is_sliceable(source):
-            return "" if self.fields.file() else translate("Trabecula", "Choose a body or a file")
-        own = (source.Mesh if hasattr(source, "Mesh") else source.Shape).BoundBox
-        box = ((own.XMin, own.YMin, own.ZMin), (own.XMax, own.YMax, own.ZMax))
-        counts = []
-        for axis in parameters.axes:
-            low, high = axis_extent(axis, box)
-            counts.append(f"{title(axis)} {len(plane_heights(parameters, low, high))}")
-        return translate("Trabecula", "Slices: {}").format(", ".join(counts))
+    def _estimate(self, parameters: SliceParameters) -> str:
+        body = self._body()
+        if body is None:
+            return translate("Trabecula", "Choose a body or a file")
+        planes = planes_of(parameters, body.box)
+        counts = ", ".join(f"{title(axis)} {number}" for axis, (number, _) in planes.items())
+        work = work_text(analysis_work(body, list(planes.values()), self.fields.morphometry.isChecked()))
+        slices = translate("Trabecula", "Slices: {}").format(counts) if counts else ""
+        return "; ".join(words for words in (slices, work) if words)
+
+    def _body(self) -> Optional[Body]:
+        """What is known of what is sliced; looked at once, for the form is typed into."""
+        name, file, unit = self.fields.source_name(), self.fields.file(), self.fields.unit.currentData()
+        if (name, file, unit) != self._looked_at[0]:
+            source = self.document.getObject(name) if name else None
+            if source is not None:
+                found = body_of_source(object_source(source)) if is_sliceable(source) else None
+            else:
+                found = body_of_source(file_source(file), unit) if file else None
+            self._looked_at = (name, file, unit), found
+        return self._looked_at[1]
 
     def lock_source(self, locked: bool) -> None:
         """Forbid to choose another body while there is an analysis."""
@@ -104,16 +118,3 @@ class AnalysisPanel(WorkPanel):
             self.fields.unit.currentData(), self.fields.morphometry.isChecked(), self.obj.Name if self.obj else "",
         )  # fmt: skip
         return wish.order()
-
-
-def axis_extent(axis: str, box: Any) -> Any:
-    """Return lowest and highest co-ordinate along an axis of a box, given as its two corners.
-
-    Examples
-    --------
-    >>> axis_extent("y", ((0, 0, 0), (1, 2, 3)))
-    (0.0, 2.0)
-    """
-    corners = [[box[i][0], box[j][1], box[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
-    along = [float(axis_frame(axis)[2] @ corner) for corner in corners]
-    return min(along), max(along)

@@ -10,20 +10,23 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from ..features.analysis_files import NO_PLOTS
+from ..core.estimates import Work
+from ..features.analysis_files import NO_PLOTS, work_of_saving
 from ..features.tasks import write_saving_task
 from .preferences import folder_for
 from .status_work import work_in_status_bar
 from .transactions import say
+from .work_text import work_text
 
 translate = FreeCAD.Qt.translate
 
 
 def ask_and_save(objects: Sequence[Any]) -> None:
     """Ask for a folder and save one analysis there, or the comparison of several."""
+    words, estimate = translate("Trabecula", "Folder for tables, report and plots"), work_text(work_of(objects))
     folder = QtGui.QFileDialog.getExistingDirectory(
         FreeCADGui.getMainWindow(),
-        translate("Trabecula", "Folder for tables, report and plots"),
+        f"{words}: {estimate}" if estimate else words,
         folder_for(FreeCAD.ActiveDocument),
     )
     if folder:
@@ -46,5 +49,15 @@ def save(objects: Sequence[Any], folder: str, done: Callable[[], None]) -> None:
     TrabeculaError
         If the work cannot be started.
     """
-    plots = "png" if importlib.util.find_spec("matplotlib") else NO_PLOTS
-    work_in_status_bar(lambda place: write_saving_task(place, objects, folder, plots), lambda _: done())
+    plots = "png" if _draws() else NO_PLOTS
+    estimate = work_text(work_of(objects))
+    work_in_status_bar(lambda place: write_saving_task(place, objects, folder, plots), lambda _: done(), estimate)
+
+
+def work_of(objects: Sequence[Any]) -> Work:
+    """Return what it will take to save them."""
+    return work_of_saving(objects, _draws())
+
+
+def _draws() -> bool:
+    return importlib.util.find_spec("matplotlib") is not None

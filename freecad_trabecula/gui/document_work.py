@@ -123,8 +123,8 @@ class DocumentWork:
 _current: Dict[str, DocumentWork] = {}  # by the document's name: each has its own
 
 
-def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
-    """Do what was asked for with one click; the status bar shows how far it is and can end it.
+def work_at_once(order: Order, done: Callable[[Any], None], estimate: str = "") -> None:
+    """Do what was asked for with one click; the status bar shows what it will take, how far it is, and can end it.
 
     Raises
     ------
@@ -152,7 +152,7 @@ def work_at_once(order: Order, done: Callable[[Any], None]) -> None:
     bar = WorkBar(cancel, document_label(order.document))
     work = DocumentWork(order, bar.show_progress, finish, fail)
     _current[order.document] = work
-    bar.show_start()
+    bar.show_start(estimate)
     try:
         work.start()
     except TrabeculaError:

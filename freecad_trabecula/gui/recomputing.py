@@ -202,7 +202,7 @@ class WorkBar(QtGui.QWidget):
 
     def __init__(self, cancel: Any, name: str = "") -> None:
         super().__init__()
-        self._name = name
+        self._name, self._estimate = name, ""
         self.what, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
@@ -216,16 +216,17 @@ class WorkBar(QtGui.QWidget):
         FreeCADGui.getMainWindow().statusBar().addPermanentWidget(self)
         self.hide()
 
-    def show_start(self) -> None:
-        """Show that work has begun."""
+    def show_start(self, estimate: str = "") -> None:
+        """Show that work has begun, and what it will take, until the time left is known."""
+        self._estimate = f" ({estimate})" if estimate else ""
         self.bar.setValue(0)
-        self.what.setText(translate("Trabecula", "being computed"))
+        self.what.setText(translate("Trabecula", "being computed") + self._estimate)
         self.show()
 
     def show_progress(self, progress: Progress) -> None:
         """Show how far it is."""
         self.bar.setValue(int(1000 * progress.share))
-        text = progress_text(progress)
+        text = progress_text(progress) + (self._estimate if progress.left is None else "")
         several = self._name and len(FreeCAD.listDocuments()) > 1
         self.what.setText(f"{self._name}: {text}" if several else text)
 

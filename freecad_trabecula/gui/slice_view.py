@@ -5,17 +5,19 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
-import FreeCAD
 import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
 from ..core.analysis.parameters import axis_frame
+from ..core.colours import Entry, Legend
+from .legend import Titled, height_of, paint_legend
 from .preferences import preferred_colour
 from .qt import paper_and_ink
 
-translate = FreeCAD.Qt.translate
-_MARGIN, _TEXT = 10, 18  # pixels
+_MARGIN, _TEXT, _LEGEND = 10, 18, 56  # pixels
+#: Kinds of contours, and the preferences that hold their colours.
+KINDS = {"rods": "ColourRodContours", "plates": "ColourPlateContours"}
 _PLANE = (0.0, 0.45, 0.7)
 
 
@@ -40,6 +42,14 @@ class Slice(NamedTuple):
     low: np.ndarray
     high: np.ndarray
     words: Sequence[str]
+
+
+def legend_of(one: Slice) -> Legend:
+    """Return what the colours of a slice mean, and how many trabeculae have each."""
+    outer = one.areas > 0
+    counts = (int((outer & one.rods).sum()), int((outer & ~one.rods).sum()))
+    colours = [QtGui.QColor(preferred_colour(name)).getRgb()[:3] for name in KINDS.values()]
+    return Legend("kind", entries=tuple(map(Entry, KINDS, colours, counts)))
 
 
 class SliceView(QtGui.QWidget):
@@ -80,38 +90,23 @@ class SliceView(QtGui.QWidget):
         painter.setPen(QtGui.QPen(ink, 0.8, QtCore.Qt.DotLine))
         painter.drawRect(QtCore.QRectF(QtCore.QPointF(*frame[0]), QtCore.QPointF(*frame[1])))
         painter.setPen(QtCore.Qt.NoPen)
-        rod, plate = (
-            QtGui.QColor(preferred_colour("ColourRodContours")),
-            QtGui.QColor(preferred_colour("ColourPlateContours")),
-        )
+        rod, plate = (QtGui.QColor(preferred_colour(name)) for name in KINDS.values())
         for k in np.argsort(-np.abs(one.areas), kind="stable").tolist():  # islands in voids come after the voids
             colour = paper if one.areas[k] < 0 else rod if one.rods[k] else plate
             painter.setBrush(colour)
             painter.drawPolygon(QtGui.QPolygonF([QtCore.QPointF(x, y) for x, y in place(one.contours[k]).tolist()]))
-        self._paint_legend(painter, ink)
+        legend = Titled(legend_of(one))
+        box = QtCore.QRectF(_MARGIN, self.height() - _LEGEND, self.width() - 2 * _MARGIN, height_of(legend))
+        paint_legend(painter, box, legend, ink)
 
     def _scale(self, one: Slice) -> Tuple[float, Any]:
         """Pixels per mm, and the function from mm (K, 2) to pixels (K, 2)."""
         size = np.maximum(one.high - one.low, 1e-9)
-        room = np.array([self.width() - 2 * _MARGIN, self.height() - 2 * _MARGIN - 3 * _TEXT], float)
+        room = np.array([self.width() - 2 * _MARGIN, self.height() - _MARGIN - 2 * _TEXT - _LEGEND], float)
         scale = float((room / size).min())
         middle = (one.low + one.high) / 2
-        centre = np.array([self.width() / 2, 2 * _TEXT + (self.height() - 3 * _TEXT) / 2])
+        centre = np.array([self.width() / 2, 2 * _TEXT + (self.height() - 2 * _TEXT - _LEGEND) / 2])
         return scale, lambda points: centre + (np.asarray(points, float) - middle) * (scale, -scale)
-
-    def _paint_legend(self, painter: Any, ink: Any) -> None:
-        x, y = float(_MARGIN), self.height() - 8.0
-        counts = (int((self.slice.rods & (self.slice.areas > 0)).sum()), int((self.slice.areas > 0).sum()))
-        rods, plates = translate("Trabecula", "{} rods"), translate("Trabecula", "{} plates")
-        for name, words, count in (
-            ("ColourRodContours", rods, counts[0]),
-            ("ColourPlateContours", plates, counts[1] - counts[0]),
-        ):
-            painter.fillRect(QtCore.QRectF(x, y - 9, 10, 10), QtGui.QColor(preferred_colour(name)))
-            painter.setPen(ink)
-            text = words.format(count)
-            painter.drawText(QtCore.QPointF(x + 14, y), text)
-            x += 26 + painter.fontMetrics().boundingRect(text).width()
 
 
 class SlicePlane:

@@ -13,7 +13,7 @@ from .transactions import told
 _works: List[ChildWork] = []  # those that go on
 
 
-def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], None]) -> None:
+def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], None], estimate: str = "") -> None:
     """Do a task; an error is told in a dialog.
 
     Parameters
@@ -22,6 +22,8 @@ def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], 
         Takes the folder in which the other process finds its work.
     done : callable
         Takes the folder with the results, which is removed afterwards.
+    estimate : str
+        What it will take.
 
     Raises
     ------
@@ -54,7 +56,7 @@ def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], 
         bar.close_bar()
         raise
     _works.append(work)
-    bar.show_start()
+    bar.show_start(estimate)
 
 
 def is_working() -> bool:

@@ -13,10 +13,10 @@ from PySide import QtCore, QtGui
 
 from ..core.stl import whole_file
 from ..core.variants import MOST, RAYS, SCAFFOLD, VOXELS, Variants, seeds_from, spread
-from ..errors import ParameterError
+from ..errors import ParameterError, TrabeculaError
 from ..features.relations import type_of
 from ..features.tasks import write_variants_task
-from ..features.variants import read_variants
+from ..features.variants import read_variants, variants_work
 from .child_work import ChildWork, Progress, start_task, time_text
 from .fields import row_widget
 from .histogram import Histogram
@@ -25,6 +25,7 @@ from .qt import icon
 from .tables import fill, let_grow, table
 from .transactions import say, told, transaction
 from .why import WhyButton
+from .work_text import work_text
 
 translate = FreeCAD.Qt.translate
 USUAL = 10  # variants of one click
@@ -59,7 +60,7 @@ class VariantsDialog(QtGui.QDialog):
         self.by.setVisible(is_rods)
         self.start_button = QtGui.QPushButton(translate("Trabecula", "Again"))
         self.cancel_button = QtGui.QPushButton(translate("Trabecula", "Cancel"))
-        self.bar, self.message = QtGui.QProgressBar(), QtGui.QLabel()
+        self.bar, self.message, self.estimate = QtGui.QProgressBar(), QtGui.QLabel(), QtGui.QLabel()
         self.bar.setRange(0, 1000)
         self.message.setWordWrap(True)
         self.table = table(1)
@@ -70,6 +71,9 @@ class VariantsDialog(QtGui.QDialog):
         self.take_button = QtGui.QPushButton(translate("Trabecula", "Take this seed"))
         self.save_button = QtGui.QPushButton(translate("Trabecula", "Save CSV …"))
         self._lay_out()
+        self.count.valueChanged.connect(lambda *_: self._show_estimate())
+        self.by.currentIndexChanged.connect(lambda *_: self._show_estimate())
+        self._show_estimate()
         self.start_button.clicked.connect(lambda *_: self.start())
         self.cancel_button.clicked.connect(lambda *_: self.cancel())
         self.take_button.clicked.connect(lambda *_: self.take())
@@ -83,7 +87,7 @@ class VariantsDialog(QtGui.QDialog):
         for word, box in zip(words, (self.count, self.first)):
             choices.layout().addWidget(QtGui.QLabel(word))
             choices.layout().addWidget(box)
-        for widget in (self.by, self.start_button):
+        for widget in (self.by, self.start_button, self.estimate):
             choices.layout().addWidget(widget)
         choices.layout().addStretch(1)
         work.layout().addWidget(self.bar, 1)
@@ -120,7 +124,7 @@ class VariantsDialog(QtGui.QDialog):
                 self._fail,
             )
             self.bar.setValue(0)
-            self.message.setText(translate("Trabecula", "being computed"))
+            self.message.setText(self._what(translate("Trabecula", "being computed"), None))
         self._offer()
 
     def cancel(self) -> None:
@@ -138,8 +142,22 @@ class VariantsDialog(QtGui.QDialog):
 
     def _show_progress(self, progress: Progress) -> None:
         self.bar.setValue(int(1000 * progress.share))
-        left = translate("Trabecula", ", {} left").format(time_text(progress.left)) if progress.left else ""
-        self.message.setText(in_words(progress.what) + left)
+        self.message.setText(self._what(in_words(progress.what), progress.left))
+
+    def _what(self, text: str, left: Optional[float]) -> str:
+        """What is done, and how long it still takes; what it will take in all until that is known."""
+        if left:
+            return text + translate("Trabecula", ", {} left").format(time_text(left))
+        estimate = self.estimate.text()
+        return f"{text} ({estimate})" if estimate else text
+
+    def _show_estimate(self) -> None:
+        """Say what will be done at the next click."""
+        try:
+            text = work_text(variants_work(self.obj(), self.count.value(), self.by.currentData()))
+        except TrabeculaError:  # not computed yet, or closed: said when it is begun
+            text = ""
+        self.estimate.setText(text)
 
     def _fail(self, text: str) -> None:
         self.work = None

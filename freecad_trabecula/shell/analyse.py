@@ -18,6 +18,7 @@ from ..core.analysis.report_text import analysis_summary
 from ..core.analysis.ssl import write_ssl
 from ..core.analysis.svg_layers import write_svg
 from ..core.analysis.workbook import require_openpyxl, write_workbook
+from ..core.estimates import Work
 from ..core.progress import Progress, part
 from ..errors import DependencyError, ParameterError
 from ..geometry.versions import versions
@@ -62,7 +63,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
     progress = progress_of(report)
     with ResultFolder(options["out"]) as folder:
         report("temporary", path=str(folder.aside))
-        sample = read_sample(options["file"], options, part(progress, 0.0, 0.7))
+        sample = read_sample(options["file"], options, part(progress, 0.0, 0.7), teller(options["file"], report))
         names, branches = _write_layers(sample, options, folder, part(progress, 0.7, 0.85))
         names += _write_more(sample.analysis, options["xlsx"], kind, folder, part(progress, 0.85, 0.97))
         record = save_analysis(
@@ -150,6 +151,11 @@ def require_own_folder(path: str, kind: str) -> None:
 def progress_of(report: Report) -> Progress:
     """Return the callback that hands progress on as messages."""
     return lambda done, total, what: report("progress", share=done / max(total, 1e-12), what=what)
+
+
+def teller(path: str, report: Report) -> Callable[[Work], None]:
+    """Return what says beforehand that the work on a file will be heavy; of little work it says nothing."""
+    return lambda work: report("text", text=f"{Path(path).name}: {work.words}") if work.is_heavy else None
 
 
 def plots_kind(asked: str, report: Report) -> str:

@@ -14,7 +14,16 @@ from ..core.analysis.plots import comparison_figures
 from ..core.analysis.report import analysis_checks, analysis_faults
 from ..core.progress import part
 from ..geometry.versions import versions
-from .analyse import PACKAGES, Report, plots_kind, progress_of, require_own_folder, warn_of_old_files, write_figures
+from .analyse import (
+    PACKAGES,
+    Report,
+    plots_kind,
+    progress_of,
+    require_own_folder,
+    teller,
+    warn_of_old_files,
+    write_figures,
+)
 from .folder import ResultFolder
 from .samples import Sample, read_sample
 
@@ -41,7 +50,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
     with ResultFolder(options["out"]) as folder:
         report("temporary", path=str(folder.aside))
         steps = [part(progress, 0.8 * k / len(paths), 0.8 * (k + 1) / len(paths)) for k in range(len(paths))]
-        samples = [read_sample(path, options, step) for path, step in zip(paths, steps)]
+        samples = [read_sample(path, options, step, teller(path, report)) for path, step in zip(paths, steps)]
         analyses = distinctly_named([sample.analysis for sample in samples])
         progress(0.8, 1.0, "comparing")
         comparison = compare(analyses, options["layer"], options["align"])

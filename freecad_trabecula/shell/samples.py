@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import reduce
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tuple
 
 from ..core.analysis.analysis import Analysis, analyse, contours_of
 from ..core.analysis.contours import Contours
@@ -15,6 +16,17 @@ from ..core.analysis.morphometry import measure
 from ..core.analysis.parameters import SliceParameters
 from ..core.analysis.ssl import UNITS, read_ssl
 from ..core.analysis.triangles import Soup, read_soup
+from ..core.estimates import (
+    Work,
+    analysis_work,
+    body_of,
+    contours,
+    layers_work,
+    planes_of,
+    saving_work,
+    segments,
+    workbook_work,
+)
 from ..core.progress import Progress, part, silent
 from ..errors import DependencyError, EnvelopeError, ExportError, KernelError, MeshError, ParameterError
 from ..geometry.envelopes import SHAPE_FILES, load_shape
@@ -69,8 +81,18 @@ def parameters_of(options: Mapping[str, Any]) -> SliceParameters:
     return SliceParameters(**chosen)
 
 
-def read_sample(path: str, options: Mapping[str, Any], progress: Progress) -> Sample:
+def read_sample(
+    path: str, options: Mapping[str, Any], progress: Progress, tell: Callable[[Work], None] = lambda work: None
+) -> Sample:
     """Return a body, analysed as the options say, or as it was analysed earlier if the path is a folder.
+
+    Parameters
+    ----------
+    path : str
+    options : dict
+    progress : callable
+    tell : callable
+        Takes what the analysis and its files will take, once the body was read.
 
     Raises
     ------
@@ -87,7 +109,24 @@ def read_sample(path: str, options: Mapping[str, Any], progress: Progress) -> Sa
         soup, notes = read_body(path, options["unit"], part(progress, 0.0, 0.05))
     except (MeshError, ExportError) as error:  # what was given is wrong: not something that failed on the way
         raise ParameterError(str(error)) from error
+    tell(_work(soup, parameters, options))
     return _measured(soup, notes, parameters, not options["no_morphometry"], part(progress, 0.05, 1.0))
+
+
+def _work(soup: Soup, parameters: SliceParameters, options: Mapping[str, Any]) -> Work:
+    """What the analysis of a body takes, and what ``analyse`` writes of it."""
+    body, measures = body_of(soup.triangles), not options["no_morphometry"]
+    planes = list(planes_of(parameters, soup.box).values())
+    count, cut = contours(body, planes), segments(body, planes)
+    slices = [(number, round(count / len(planes))) for number, _ in planes]
+    share = abs(body.volume) / body.room if body.room and measures else 0.0
+    parts = [analysis_work(body, planes, measures)]
+    if "xlsx" in options:  # compare, which has none of these, writes little
+        parts.append(saving_work(slices, share, options["plots"] != "none"))
+        parts += [workbook_work(slices)] if options["xlsx"] else []
+        number = sum(n for n, _ in planes)
+        parts += [layers_work(kind, cut, count, number, soup.box) for kind in ("ssl", "cli", "svg") if options[kind]]
+    return reduce(Work.and_then, parts)
 
 
 def read_body(path: str, unit: str, progress: Progress = silent) -> Tuple[Soup, List[str]]:

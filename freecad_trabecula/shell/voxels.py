@@ -12,6 +12,7 @@ import numpy as np
 
 from ..core.analysis.plots import save_figure
 from ..core.analysis.workbook import require_openpyxl
+from ..core.estimates import Work
 from ..core.meshes import Mesh, printable
 from ..core.progress import Progress, part
 from ..core.stl import whole_file, write_stl
@@ -20,7 +21,7 @@ from ..core.voxels.counting import counting_record
 from ..core.voxels.design import VoxelDesign, estimate, make_design
 from ..core.voxels.envelope_sources import targets_of_envelope
 from ..core.voxels.image_stacks import write_stack
-from ..core.voxels.parameters import VoxelParameters
+from ..core.voxels.parameters import BYTES_PER_VOXEL, VoxelParameters
 from ..core.voxels.plots import design_figures
 from ..core.voxels.report import KIND, design_record, record_json
 from ..core.voxels.report_text import report_markdown, report_summary
@@ -75,7 +76,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
     progress = progress_of(report)
     with ResultFolder(options["out"]) as folder:
         report("temporary", path=str(folder.aside))
-        record = _write(options, parameters, kind, folder, progress)
+        record = _write(options, parameters, kind, folder, progress, report)
         folder.keep(*record["files"], PAGE, REPORT)  # the report last: it tells of files that are there
         written = {name.rsplit("/", 1)[-1] for name in record["files"]}
         warn_of_old_files(folder, written, _OURS, report)
@@ -98,11 +99,19 @@ def parameters_of(options: Dict[str, Any]) -> VoxelParameters:
 
 
 def _write(
-    options: Dict[str, Any], parameters: VoxelParameters, kind: str, folder: ResultFolder, progress: Progress
+    options: Dict[str, Any],
+    parameters: VoxelParameters,
+    kind: str,
+    folder: ResultFolder,
+    progress: Progress,
+    report: Report,
 ) -> Dict[str, Any]:
     """Design, write all files aside, and return the report's record."""
     start = time.perf_counter()
     targets, mask = _asked(options, parameters, part(progress, 0.0, 0.25))
+    work = estimate(targets.shape[::-1], parameters.strategy)
+    if Work(work.seconds, BYTES_PER_VOXEL * work.cells).is_heavy:
+        report("text", text=work.words)
     parameters = replace(parameters, size=targets.voxel)
     read = time.perf_counter()
     design = make_design(targets, parameters, mask, part(progress, 0.25, 0.8))

@@ -2944,6 +2944,11 @@
         <translation>{} ohne einen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/estimates.py"/>
+        <source>about {} s</source>
+        <translation>etwa {} s</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
         <translation>die Ausrichtung muss eine von {} sein, hier {}</translation>
@@ -4462,6 +4467,11 @@
         <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
         <translation>Länge der Probe entlang X, Y, Z durch die Kante des Voxels, gerundet</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/estimates.py"/>
+        <source>less than 1 s</source>
+        <translation>weniger als 1 s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
@@ -8212,8 +8222,9 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/estimates.py"/>
         <source>{} of {}</source>
-        <translation>{} von {}</translation>
+        <translation>{} {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
@@ -10815,6 +10826,11 @@
         <translation>Röntgenblick</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/work_text.py"/>
+        <source>about {}</source>
+        <translation>etwa {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>along {}</source>
         <translation>entlang {}</translation>
@@ -11020,6 +11036,11 @@
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>faulty rods are being mended …</source>
         <translation>fehlerhafte Stäbe werden repariert …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/work_text.py"/>
+        <source>files of {}</source>
+        <translation>Dateien von {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
@@ -11437,19 +11458,18 @@
         <translation>{} mm², Porosität {} %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/work_text.py"/>
+        <source>{} of memory</source>
+        <translation>{} Speicher</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
         <source>{} of {} hold</source>
         <translation>{} von {} erfüllt</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
-        <source>{} plates</source>
-        <translation>{} Platten</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
-        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
         <source>{} rods</source>
         <translation>{} Stäbe</translation>
     </message>

@@ -2944,6 +2944,11 @@
         <translation>{} senza</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/estimates.py"/>
+        <source>about {} s</source>
+        <translation>circa {} s</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>alignment must be one of {}, got {}</source>
         <translation>l'allineamento deve essere uno di {}, qui {}</translation>
@@ -4462,6 +4467,11 @@
         <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>length of the sample along X, Y, Z over the voxel's edge, rounded</source>
         <translation>lunghezza del campione lungo X, Y, Z sul lato del voxel, arrotondata</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/estimates.py"/>
+        <source>less than 1 s</source>
+        <translation>meno di 1 s</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
@@ -8212,6 +8222,7 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison_report.py"/>
+        <location filename="../../freecad_trabecula/core/estimates.py"/>
         <source>{} of {}</source>
         <translation>{} di {}</translation>
     </message>
@@ -10815,6 +10826,11 @@
         <translation>Raggi X</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/work_text.py"/>
+        <source>about {}</source>
+        <translation>circa {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
         <source>along {}</source>
         <translation>lungo {}</translation>
@@ -11020,6 +11036,11 @@
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
         <source>faulty rods are being mended …</source>
         <translation>riparazione delle aste difettose …</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/work_text.py"/>
+        <source>files of {}</source>
+        <translation>file per {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
@@ -11437,19 +11458,18 @@
         <translation>{} mm², porosità {} %</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/work_text.py"/>
+        <source>{} of memory</source>
+        <translation>{} di memoria</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
         <source>{} of {} hold</source>
         <translation>{} su {} verificati</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
-        <source>{} plates</source>
-        <translation>{} piastre</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <location filename="../../freecad_trabecula/gui/outcome.py"/>
-        <location filename="../../freecad_trabecula/gui/slice_view.py"/>
         <source>{} rods</source>
         <translation>{} aste</translation>
     </message>

@@ -28,7 +28,7 @@ from freecad_trabecula.gui.chart import axes_of, nice_steps
 from freecad_trabecula.gui.commands import COMMANDS
 from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.preferences import preferred_colour
-from freecad_trabecula.gui.slice_view import plane_corners
+from freecad_trabecula.gui.slice_view import legend_of, plane_corners
 
 COARSE = SliceParameters(thickness=0.5)
 
@@ -229,7 +229,7 @@ class DockTest(AnalysisCase):
         image = self.dock.view.grab().toImage()
         counts = {}
         for x in range(image.width()):
-            for y in range(24, image.height() - 24):
+            for y in range(24, image.height() - 60):  # words above, the legend below
                 name = QtGui.QColor(image.pixel(x, y)).name().upper()
                 counts[name] = counts.get(name, 0) + 1
         paper = QtGui.QColor(self.dock.view.palette().color(QtGui.QPalette.Base)).name().upper()
@@ -238,6 +238,9 @@ class DockTest(AnalysisCase):
         scale = self.dock.view._scale(body)[0]
         self.assertLess(abs(ring / (float(body.areas.sum()) * scale**2) - 1), 0.1)  # borders are smoothed
         self.assertGreater(counts.get(paper, 0), ring / 10)
+        entries = {entry.name: entry.count for entry in legend_of(body).entries}
+        kind = "rods" if body.rods[body.areas > 0][0] else "plates"
+        self.assertEqual(entries, {"rods": 0, "plates": 0, kind: 1})
 
     def test_the_plane_leaves_the_view_with_the_dock(self):
         self.assertIsNotNone(self.dock._slice_plane)

@@ -101,15 +101,15 @@ def read_soup(path: Union[str, Path], unit: str = "auto") -> Soup:
     triangles, own = read_mesh(path)
     said = unit
     if unit == "auto":
-        unit, said = (own, f"{own} (the file's)") if own else _guessed(triangles)
+        points = by_corners(triangles)
+        unit, said = (own, f"{own} (the file's)") if own else guessed_unit(float(np.ptp(points, axis=1).max()))
     if UNITS[unit] != 1.0:
         triangles = triangles * np.float32(UNITS[unit])
     return Soup(triangles, said, path.name)
 
 
-def _guessed(triangles: np.ndarray) -> Tuple[str, str]:
-    points = by_corners(triangles)
-    size = float((points.max(1) - points.min(1)).max())
+def guessed_unit(size: float) -> Tuple[str, str]:
+    """Return the unit in which a body of a size is likely to be, and how that is said."""
     low, high = _LIKELY_MM
     unit = "mm" if not 0 < size < low and not size > high else "m" if size < low else "um"
     return unit, unit if unit == "mm" else f"{unit} (guessed: the body would be {size:g} mm large)"

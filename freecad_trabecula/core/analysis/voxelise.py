@@ -97,7 +97,12 @@ def fitting_size(triangles: np.ndarray, box: Sequence[Sequence[float]]) -> float
     Thick bodies get larger voxels: the time of the largest spheres grows with the sixth power of their radius in
     voxels.
     """
-    finest, thickness = default_size(*box), abs(mean_thickness(triangles))
+    return size_for(abs(mean_thickness(triangles)), box)
+
+
+def size_for(thickness: float, box: Sequence[Sequence[float]]) -> float:
+    """Return the edge, mm, of voxels for a body of a mean thickness, mm, in a box; nan: it is not known."""
+    finest = default_size(*box)
     if math.isnan(thickness):
         return finest
     return min(max(thickness / THICKNESS_CELLS, finest), finest * DEFAULT_CELLS / FEWEST_CELLS)
