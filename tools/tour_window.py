@@ -182,7 +182,7 @@ def walk_measure(walk):
         walk.click("export")
     bar = FreeCADGui.getMainWindow().statusBar()
     walk.wait(lambda: "are in" in bar.currentMessage(), 120)
-    walk.tell_step("export", "Tables as CSV and XLSX, a report and plots are written into a folder.")
+    walk.tell_step("export", "Tables as CSV, a report and plots are written into a folder.")
 
 
 def walk_voxels(walk):
@@ -206,7 +206,7 @@ def walk_voxels(walk):
     walk.fit()
     walk.tell_step(
         "layers",
-        "The design's layer with its count; the counts of all layers lie on the targets' curve.",
+        "The bone's layer beside the design's, with both counts; the counts of all layers lie on the targets' curve.",
     )
     walk.click("analyse")
     walk.until("analyse")

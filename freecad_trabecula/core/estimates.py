@@ -26,7 +26,7 @@ import numpy as np
 
 from .analysis.branches import MOST_ROWS, ROWS_PER_LAYER
 from .analysis.parameters import SliceParameters, axis_frame, plane_heights
-from .analysis.voxelise import size_for
+from .analysis.voxelise import DEFAULT_CELLS, size_for
 from .report_text import size_words
 from .voxels.design import Estimate
 from .voxels.parameters import BYTES_PER_VOXEL
@@ -41,7 +41,7 @@ _MEMORY = (150.0, 12.0, 6e7, 33.0)  # bytes a triangle, a segment; of the morpho
 _TABLES = (1.3e-5, 303.0, 66.0, 36.0, 12e3)  # s and bytes a contour; bytes a slice: profile, branches; report
 _WORKBOOK = (7.2e-5, 50.0, 30.0, 8e3)  # s and bytes a contour; bytes a slice; the rest
 _PLOT = (0.33, 1.2e5)  # s and bytes of a plot
-_COMPARED = (2e-6, 1.5, 1e-5, 3.3e5)  # s a contour; plots of it: s an axis, s a contour, bytes an axis
+_COMPARED = (2e-6, 1.6, 1e-5, 4.2e5)  # s a contour; plots of it: s an axis, s a contour, bytes an axis
 #: By kind of a file of layers: s a segment, bytes a segment besides its two numbers, a contour, a slice.
 _LAYERS = {"ssl": (5e-7, 2.0, 2.0, 24.0), "cli": (1.4e-6, 2.0, 27.0, 20.0), "svg": (5.5e-7, 3.0, 0.0, 190.0)}
 _VARIANT_ROD, _VARIANT_MENDED = 2.2e-3, 0.083  # s
@@ -240,7 +240,9 @@ def contours(body: Body, planes: Planes) -> float:
 
 
 def voxels(body: Body) -> float:
-    """Return how many voxels the morphometry of a body takes."""
+    """Return how many voxels the morphometry of a body takes; of one whose box is not known, the most."""
+    if math.isnan(body.room):
+        return float(DEFAULT_CELLS**3)
     return body.room / size_for(body.thickness, body.box) ** 3 if body.room > 0 else 0.0
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any, List, Optional, Tuple
 
 import FreeCAD
 import numpy as np
@@ -37,7 +37,7 @@ def choices(obj: Any) -> Tuple[str, ...]:
         return (PLAIN, *ROD_COLOURINGS)
     if is_a(obj, VoxelDesign):
         return (PLAIN, *LAYER_COLOURINGS)
-    if is_a(obj, Scaffold, Body):
+    if is_a(obj, Scaffold, Body) or (not is_a(obj) and hasattr(obj, "Mesh") and _analyses(obj)):
         return (PLAIN, *_POROSITY)
     return ()
 
@@ -154,5 +154,8 @@ def _analysed_slices(obj: Any, axis: str) -> Tuple[np.ndarray, np.ndarray]:
 
 
 def _analysis_along(obj: Any, axis: str) -> Optional[Any]:
-    every = [one for one in obj.InList if is_a(one, Analysis) and one.Source == obj and one.ResultKey]
-    return next((one for one in reversed(every) if axis in analysis_of(one).profiles), None)
+    return next((one for one in reversed(_analyses(obj)) if axis in analysis_of(one).profiles), None)
+
+
+def _analyses(obj: Any) -> List[Any]:
+    return [one for one in obj.InList if is_a(one, Analysis) and one.Source == obj and one.ResultKey]

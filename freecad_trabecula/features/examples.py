@@ -70,9 +70,9 @@ def _measure(document: FreeCAD.Document, progress: Progress) -> None:
 def _voxels(document: FreeCAD.Document, progress: Progress) -> None:
     """Voxels with the sliced areas of a specimen, measured as it was."""
     bone = _bone(document, "a", "Bone")
-    targets = make_analysis(document, bone, _SLICES, progress=part(progress, 0.0, 0.2))
-    parameters = VoxelParameters(size=(0.1, 0.1, 0.1))
-    design = make_voxel_design(document, targets, parameters, progress=part(progress, 0.2, 0.8))
+    make_analysis(document, bone, _SLICES, progress=part(progress, 0.0, 0.2))
+    parameters = VoxelParameters(size=(_SLICES.thickness,) * 3)
+    design = make_voxel_design(document, bone, parameters, progress=part(progress, 0.2, 0.8))
     design.Placement.Base = FreeCAD.Vector(1.5 * EDGE, 0, 0)
     make_analysis(document, design, progress=part(progress, 0.8, 1.0))
 

@@ -10,12 +10,14 @@ from __future__ import annotations
 from typing import Any, Dict, Optional
 
 import FreeCAD
+import FreeCADGui
 import numpy as np
 from pivy import coin
 
 from ..core.colours import Legend
 from ..errors import TrabeculaError
 from ..features.colouring import PLAIN, choices, colouring_of, missing_of
+from ..features.relations import type_of
 from .legend import LegendOverlay, Titled
 from .lost_rods import LostRods
 from .qt import invoke_later
@@ -72,6 +74,19 @@ def refresh(obj: Any) -> None:
     if key not in _waiting:
         _waiting.add(key)
         invoke_later(lambda: _refresh(*key))
+
+
+def refresh_source(analysis: Any) -> None:
+    """Colour what an analysis slices, once that is known, if its colours are those of slices."""
+    document, name = analysis.Document.Name, analysis.Name
+
+    def later() -> None:
+        found = FreeCAD.getDocument(document).getObject(name) if document in FreeCAD.listDocuments() else None
+        source = getattr(found, "Source", None)
+        if source is not None and is_coloured(source):
+            refresh(source)
+
+    invoke_later(later)
 
 
 def _refresh(document: str, name: str) -> None:
@@ -215,5 +230,19 @@ class _Observer:
             show_legends(obj.Document.Name)
 
 
-_observer = _Observer()
+class _Others:
+    """Follows the views of objects that are not ours, such as a bone (observer protocol of FreeCAD's window)."""
+
+    def slotChangedObject(self, view: Any, name: str) -> None:
+        """Colour it anew, or show its legend while it is seen."""
+        if name not in (PROPERTY, "Visibility") or not hasattr(view, PROPERTY) or type_of(view.Object):
+            return
+        if name == PROPERTY:
+            refresh(view.Object)
+        else:
+            show_legends(view.Object.Document.Name)
+
+
+_observer, _others = _Observer(), _Others()
 FreeCAD.addDocumentObserver(_observer)
+FreeCADGui.addDocumentObserver(_others)

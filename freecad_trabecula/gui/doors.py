@@ -120,9 +120,17 @@ def _first_body(stages: Stages) -> List[Any]:
 
 
 def _targets(stages: Stages) -> Any:
-    """The analysis that the voxels are to equal, or will be."""
+    """The analysis that the voxels are to equal, or that of the bone which they are to equal."""
     source = stages.voxels.Source if stages.voxels is not None else None
-    return source if source in stages.analyses else stages.of_bone
+    same = [one for one in stages.analyses if source is not None and source in (one, one.Source)]
+    return next(iter(same), stages.of_bone)
+
+
+def _sample(stages: Stages) -> Any:
+    """What the voxels are made of: the bone itself, of which each layer can be seen; without it what is known of it."""
+    targets = _targets(stages)
+    body = targets.Source if targets is not None else next(iter(stages.bodies), None)
+    return targets if body is None else body
 
 
 # ------------------------------------------------------------------------------------------------------- the steps
@@ -262,7 +270,7 @@ def _voxel_steps() -> Tuple[Step, ...]:
             translate("Trabecula", "Design the voxels"),
             translate("Trabecula", "As many voxels in every layer along X, Y and Z as the targets ask, in one piece."),
             lambda on, seen: state_of(on.voxels),
-            lambda on: ("Trabecula_Voxels", [one for one in (_targets(on), *on.bodies) if one is not None][:1]),
+            lambda on: ("Trabecula_Voxels", [one for one in (_sample(on),) if one is not None]),
         ),
         Step(
             "layers",

@@ -8,7 +8,7 @@ from pivy import coin
 
 from ..core.rod_colours import FAILED, OUTCOMES
 
-_WIDTH, _BROKEN = 2.0, 0xF8F8  # pixels; pattern of 16 bits
+_WIDTH, _BROKEN = 3.0, 0xF8F8  # pixels; pattern of 16 bits
 
 
 class LostRods:

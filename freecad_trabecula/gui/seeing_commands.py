@@ -10,7 +10,7 @@ import FreeCAD
 
 from ..features.colouring import choices
 from ..features.relations import type_of
-from .colouring import PROPERTY, colour
+from .colouring import PROPERTY, add_property, colour
 from .command import Command, active_document, selected_objects
 from .section_dock import section_dock
 from .transactions import record, transaction
@@ -46,9 +46,11 @@ class ColourBy(Command):
 
     def run(self, index: int) -> None:
         """Colour them; what cannot be coloured stays as it was."""
-        document = active_document()
+        document, chosen = active_document(), _colourable(self._by)
+        for obj in chosen:
+            add_property(obj.ViewObject)  # a bone's has it from now on: undo changes its value alone
         with transaction(document, translate("Trabecula", "Colour by")):
-            for obj in _colourable(self._by):
+            for obj in chosen:
                 record(f"FreeCADGui.getDocument({document.Name!r}).getObject({obj.Name!r}).{PROPERTY} = {self._by!r}")
                 colour(obj)
 

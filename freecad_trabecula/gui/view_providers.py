@@ -77,6 +77,8 @@ class ViewProvider(Stateless):
             view.RootNode.insertChild(_side_light(), 0)
             self.blocks = MergedBlocks(view)
         colouring.add_property(view)
+        if type_of(view.Object) == "Trabecula::Analysis":
+            colouring.refresh_source(view.Object)
 
     def isShow(self) -> bool:
         """Return whether the tree shows the object as seen: an analysis has nothing that could be hidden."""
@@ -97,6 +99,8 @@ class ViewProvider(Stateless):
             obj.ViewObject.Visibility = look_of(obj).visible
         elif name == "ResultKey" and colouring.is_coloured(obj):
             colouring.refresh(obj)
+        if name == "ResultKey" and type_of(obj) == "Trabecula::Analysis":
+            colouring.refresh_source(obj)
         if name == "ResultKey" and hasattr(self, "blocks"):
             choose_mode(obj, colouring.is_coloured(obj))
 

@@ -206,7 +206,8 @@ def is_sample(obj: Any) -> bool:
 
 
 def first_parameters(sample: Any) -> VoxelParameters:
-    """Return what a new design of a sample begins with: voxels as thick as the layers of an analysis."""
-    if sample is not None and type_of(sample) == ANALYSIS:
-        return replace(new_voxels(), size=(float(sample.SliceThickness.Value),) * 3)
-    return new_voxels()
+    """Return what a new design of a sample begins with: voxels as thick as the layers of an analysis, or of its own."""
+    measured = [] if sample is None else [one for one in (sample, *sample.InList) if type_of(one) == ANALYSIS]
+    if not measured:
+        return new_voxels()
+    return replace(new_voxels(), size=(float(measured[-1].SliceThickness.Value),) * 3)

@@ -7,7 +7,7 @@ import FreeCAD
 
 from ..core.estimates import Work, two_digits
 from .child_work import time_text
-from .export_dialog import size_text
+from .language import local_number
 
 translate = FreeCAD.Qt.translate
 
@@ -18,7 +18,7 @@ def work_text(work: Work) -> str:
     Examples
     --------
     >>> work_text(Work(2.0)), work_text(Work(64.4, 3.14e8, 1.2e6))
-    ('', 'about 1 min 4 s, 310.0 MB of memory, files of 1.2 MB')
+    ('', 'about 1 min 4 s, 310 MB of memory, files of 1 MB')
     """
     if not work.is_heavy:
         return ""
@@ -27,5 +27,11 @@ def work_text(work: Work) -> str:
         (work.memory, translate("Trabecula", "{} of memory")),
         (work.files, translate("Trabecula", "files of {}")),
     ):
-        parts += [words.format(size_text(two_digits(size)))] if size else []
+        parts += [words.format(_size(size))] if size else []
     return ", ".join(parts)
+
+
+def _size(size: float) -> str:
+    if size < 1e9:
+        return f"{max(two_digits(size / 1e6), 1)} MB"
+    return f"{local_number(size / 1e9, '.2g')} GB"

@@ -101,6 +101,7 @@ def test_of_other_files_the_triangles_are_known_by_their_size(kind, tmp_path, sp
     assert 0.5 < body.triangles / len(sponge.triangles) < 2
     assert estimates.planes_of(SliceParameters(), body.box) == {}
     assert estimates.analysis_work(body, []).seconds > 0
+    assert estimates.voxels(body) == 200**3
 
 
 def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):

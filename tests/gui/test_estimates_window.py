@@ -41,7 +41,8 @@ class EstimatesTest(WindowTest):
     def test_little_work_is_not_spoken_of_and_more_in_two_digits(self):
         self.assertEqual(work_text(Work(4.9, 4e7, 4e7)), "")
         self.assertEqual(work_text(Work(137.2)), "about 2 min 20 s")
-        self.assertEqual(work_text(Work(1.0, 3.14e8, 6.6e7)), "about 1 s, 310.0 MB of memory, files of 66.0 MB")
+        self.assertEqual(work_text(Work(9.0, 1.234e10)), "about 9 s, 12 GB of memory")
+        self.assertEqual(work_text(Work(1.0, 3.14e8, 6.6e7)), "about 1 s, 310 MB of memory, files of 66 MB")
 
     def test_the_status_bar_says_what_it_will_take_until_the_time_left_is_known(self):
         bar = WorkBar(lambda: None)
@@ -100,7 +101,7 @@ class EstimatesTest(WindowTest):
             with patch.object(analysis_saving, "work_of_saving", lambda *_: Work(64.0, files=8e7)):
                 analysis_saving.ask_and_save([analysis, analysis])
         words = "Folder for tables, report and plots"
-        self.assertEqual(titles, [words, f"{words}: about 1 min 4 s, files of 80.0 MB"])
+        self.assertEqual(titles, [words, f"{words}: about 1 min 4 s, files of 80 MB"])
         one, two = (analysis_saving.work_of(objects) for objects in ([analysis], [analysis, analysis]))
         self.assertGreater(one.files, 1e4)
         self.assertGreater(two.seconds, one.seconds)

@@ -286,8 +286,12 @@ class VoxelsDoorTest(GuideCase):
         panels.current().accept()
         self.wait_for("targets")
         self.click("voxels")
+        fields = panels.current().fields
+        bone = self.document.getObject(fields.source.object_name())
+        self.assertEqual((bone.TypeId, fields.value().size), ("Mesh::Feature", (0.2, 0.2, 0.2)))
         panels.current().accept()
         self.wait_for("voxels", seconds=120)
+        self.assertEqual(self.marks()["targets"], DONE)
         self.assertTrue(wait(lambda: self.marks()["layers"] == DONE, 10))  # the panel opened them
         self.click("analyse")
         self.wait_for("analyse")

@@ -8,6 +8,7 @@ from unittest.mock import patch
 
 import FreeCAD
 import FreeCADGui
+import Mesh
 import numpy as np
 import Part
 from pivy import coin
@@ -16,6 +17,7 @@ from window import WindowTest, settle
 
 from freecad_trabecula import make
 from freecad_trabecula.core import recovery
+from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.colours import SCALE
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.core.rod_colours import rod_colouring
@@ -136,6 +138,41 @@ class ColourTest(WindowTest):
         self.assertFalse(shown())
         self.document.removeObject(network.Name)
         self.assertEqual(colouring._lost[self.document.Name], {})
+
+    def test_a_mesh_that_is_not_ours_is_coloured_by_its_slices_while_it_has_an_analysis(self):
+        self.wireframe_object.ViewObject.Visibility = self.network.ViewObject.Visibility = False
+        bone = self.document.addObject("Mesh::Feature", "Bone")
+        bone.Mesh = Mesh.createCone(3, 1, 6, True, 0.5, 40)
+        command = commands.COMMANDS["Trabecula_Colour_porosity_z"]
+        self.assertIn("nothing that is seen", command.reason())
+        analysis = make.make_analysis(self.document, bone, SliceParameters(thickness=0.5))
+        self.assertEqual(command.reason(), "")
+        self.run_command("Trabecula_Colour_porosity_z")
+        material = node_of(bone.ViewObject.RootNode, coin.SoMaterial)
+        seen = lambda: material.diffuseColor.getNum()  # noqa: E731
+        self.assertEqual(seen(), bone.Mesh.CountFacets)
+        (legend,) = colouring.legends_of(self.document.Name)
+        porosity = 100 * make.analysis_of(analysis).profiles["z"].porosity
+        self.assertAlmostEqual(legend.legend.high, porosity.max())
+        self.assertEqual(legend.name, "Bone")
+        make.change_analysis(analysis, SliceParameters(thickness=2.0))
+        settle(0.2)
+        (other,) = colouring.legends_of(self.document.Name)
+        self.assertNotEqual(other.legend.high, legend.legend.high)
+        bone.ViewObject.Visibility = False
+        self.assertEqual(colouring.legends_of(self.document.Name), ())
+        bone.ViewObject.Visibility = True
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(Path(folder) / "bone.FCStd")
+            self.document.saveCopy(path)
+            again = FreeCAD.openDocument(path)
+            settle(0.5)
+            self.assertEqual(again.Bone.ViewObject.ColourBy, "porosity along z")
+            self.assertEqual(len(colouring.legends_of(again.Name)), 1)
+            FreeCAD.closeDocument(again.Name)
+        bone.ViewObject.ColourBy = "plain"
+        settle(0.2)
+        self.assertEqual((seen(), colouring.legends_of(self.document.Name)), (1, ()))
 
     def test_the_legend_is_in_the_view_and_neither_picked_nor_boxed(self):
         view = FreeCADGui.activeDocument().activeView()

@@ -228,6 +228,17 @@ def test_real_bone_is_analysed_and_its_crossing_facets_are_said(tmp_path):
         assert report["axes"][axis]["summary"]["mean_bone_fraction"] == pytest.approx(0.19, abs=0.002)
 
 
+@pytest.mark.skipif(not (DATA / "trab_ior_1p17mm_tiny.stl").is_file(), reason=f"no bone of 0.6 MB in {DATA}")
+def test_heavy_work_is_said_beforehand_and_of_little_work_nothing(tmp_path, cube):
+    many = ("--thickness", 0.0004, "--ssl", *FEW, "--out", tmp_path / "out")  # 8,775 planes
+    done = analyse(DATA / "trab_ior_1p17mm_tiny.stl", *many)
+    assert done.returncode == 0, done.stderr
+    said = re.match(r"trab_ior_1p17mm_tiny.stl: about \d+ s, [\d.]+ MB of memory, ([\d.]+) MB of files\n", done.stdout)
+    size = sum(path.stat().st_size for path in (tmp_path / "out").iterdir())
+    assert float(said.group(1)) == pytest.approx(size / 1e6, rel=0.15)
+    assert "of memory" not in cube[0].stdout
+
+
 @pytest.mark.skipif(not (DATA / "slice_reference.json").is_file(), reason=f"no slice_reference.json in {DATA}")
 @pytest.mark.parametrize("axis", ["x", "y", "z"])
 @pytest.mark.parametrize("name", ["trab_ior_1p17mm_tiny", "shrew_cube_10mm"])
