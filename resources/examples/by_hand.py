@@ -6,13 +6,13 @@ Run it:  freecadcmd resources/examples/by_hand.py
 
 import os
 import sys
-import traceback
 
 import FreeCAD
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 from freecad_trabecula import make
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.shell.script import run_script
 
 
 def main():
@@ -39,11 +39,4 @@ def main():
     show("one move taken back")
 
 
-# FreeCAD would give the exit code 0 to a script that raises, and run it a second time.
-try:
-    main()
-except BaseException:  # noqa: BLE001
-    traceback.print_exc()
-    sys.exit(1)
-sys.stdout.flush()  # FreeCAD 1.1 would not print the last words into a pipe
-sys.exit(0)
+run_script(main)

@@ -6,13 +6,13 @@ Run it:  freecadcmd resources/examples/spreadsheet.py
 
 import os
 import sys
-import traceback
 
 import FreeCAD
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 from freecad_trabecula import make
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.shell.script import run_script
 
 #: Alias of a cell, what stands in it, and the properties that it drives.
 TABLE = (
@@ -67,11 +67,4 @@ def main():
     document.saveAs(os.path.join(os.environ.get("TRABECULA_OUT", "."), "driven.FCStd"))
 
 
-# FreeCAD would give the exit code 0 to a script that raises, and run it a second time.
-try:
-    main()
-except BaseException:  # noqa: BLE001
-    traceback.print_exc()
-    sys.exit(1)
-sys.stdout.flush()  # FreeCAD 1.1 would not print the last words into a pipe
-sys.exit(0)
+run_script(main)

@@ -8,7 +8,6 @@ It writes scaffold.stl and can.FCStd into the folder TRABECULA_OUT (default: whe
 
 import os
 import sys
-import traceback
 
 import FreeCAD
 
@@ -24,6 +23,7 @@ from freecad_trabecula.core.parameters import (
     ScaffoldParameters,
 )
 from freecad_trabecula.core.wireframe import WireframeParameters
+from freecad_trabecula.shell.script import run_script
 
 OUT = os.environ.get("TRABECULA_OUT", ".")
 
@@ -69,11 +69,4 @@ def main():
     document.saveAs(os.path.join(OUT, "can.FCStd"))
 
 
-# FreeCAD would give the exit code 0 to a script that raises, and run it a second time.
-try:
-    main()
-except BaseException:  # noqa: BLE001
-    traceback.print_exc()
-    sys.exit(1)
-sys.stdout.flush()  # FreeCAD 1.1 would not print the last words into a pipe
-sys.exit(0)
+run_script(main)
