@@ -6,6 +6,7 @@ The objects say "being computed" meanwhile and keep what they had; the status ba
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from typing import Any, Dict, List, Optional, Tuple
 
 import FreeCAD
@@ -23,8 +24,10 @@ from ..features.voxel_design import VoxelDesign
 from .child_work import ChildWork, Progress, progress_text, start_task
 from .notice import tell_of
 from .qt import invoke_later
+from .transactions import transaction
 
 translate = FreeCAD.Qt.translate
+_TURN = 50  # ms until a result that waits looks whether it is its turn
 Owner = Tuple[str, str]  # names of document and wireframe, or analysis, or voxel design
 
 
@@ -37,9 +40,10 @@ class Recomputing(QtCore.QObject):
         self._works: Dict[Owner, ChildWork] = {}
         self._failed: Dict[Tuple[str, str], Tuple[str, str]] = {}  # key and sentence, by names of document and object
         self._bars: Dict[Owner, WorkBar] = {}
+        self._steps: Dict[Owner, str] = {}  # names of the steps to undo that results become, where they are asked for
         FreeCAD.addDocumentObserver(self)
 
-    def take(self, obj: Any, key: str) -> bool:
+    def take(self, obj: Any, key: str, step: str = "") -> bool:
         """Have an object computed elsewhere.
 
         Parameters
@@ -47,6 +51,8 @@ class Recomputing(QtCore.QObject):
         obj : document object
         key : str
             Of its inputs.
+        step : str
+            Name of the step to undo that the result becomes; none: it belongs to the step that changed the inputs.
 
         Returns
         -------
@@ -68,6 +74,8 @@ class Recomputing(QtCore.QObject):
             owner = (obj.Document.Name, (obj if alone else wireframe_of(obj)).Name)
         except (TrabeculaError, AttributeError):  # of no design, or of one that no job can hold
             return False
+        if step:
+            self._steps[owner] = step
         names = self._wanted.setdefault(owner, {})
         if names.get(obj.Name) != key:
             names[obj.Name] = key
@@ -120,13 +128,17 @@ class Recomputing(QtCore.QObject):
         self._recompute(owner)
 
     def _recompute(self, owner: Owner) -> None:
-        names = self._wanted.pop(owner, {})
+        if owner in self._steps and FreeCAD.getActiveTransaction() is not None:  # one more would cut it in two
+            invoke_later(lambda: self._recompute(owner), _TURN)
+            return
+        names, step = self._wanted.pop(owner, {}), self._steps.pop(owner, "")
         self._end(owner)
         if owner[0] in FreeCAD.listDocuments():
             document = FreeCAD.getDocument(owner[0])
-            for obj in filter(None, map(document.getObject, names)):
-                obj.touch()
-            document.recompute()
+            with transaction(document, step) if step else nullcontext():
+                for obj in filter(None, map(document.getObject, names)):
+                    obj.touch()
+                document.recompute()
             done = [obj for obj in map(document.getObject, names) if obj is not None]
             if done:
                 tell_of(owner[0], done[0].Name, all(obj.isValid() for obj in done))
@@ -137,6 +149,11 @@ class Recomputing(QtCore.QObject):
             work.cancel()
             self._bars.pop(owner).close_bar()
 
+    def _forget(self, owner: Owner) -> None:
+        del self._wanted[owner]
+        self._steps.pop(owner, None)
+        self._end(owner)
+
     def bars(self) -> List[WorkBar]:
         """Return the bars of the works that go on, one for each design."""
         return list(self._bars.values())
@@ -146,8 +163,7 @@ class Recomputing(QtCore.QObject):
         for owner, names in list(self._wanted.items()):
             if only not in (None, owner):
                 continue
-            del self._wanted[owner]
-            self._end(owner)
+            self._forget(owner)
             if owner[0] in FreeCAD.listDocuments():
                 document = FreeCAD.getDocument(owner[0])
                 for obj in filter(None, map(document.getObject, names)):
@@ -158,8 +174,7 @@ class Recomputing(QtCore.QObject):
     def slotDeletedDocument(self, document: Any) -> None:
         """End what belongs to a document that is closed (FreeCAD's observer protocol)."""
         for owner in [one for one in self._wanted if one[0] == document.Name]:
-            del self._wanted[owner]
-            self._end(owner)
+            self._forget(owner)
 
     def slotUndoDocument(self, document: Any) -> None:
         """Show what belongs to the inputs that have come back (FreeCAD's observer protocol)."""
@@ -180,7 +195,10 @@ def _show_present(name: str) -> None:
         proxy = getattr(obj, "Proxy", None)
         try:
             if isinstance(proxy, Keyed) and obj.ResultKey and obj.ResultKey != proxy.key(obj):
-                late.append(obj)
+                if OUT_OF_DATE in obj.Status:
+                    obj.purgeTouched()  # so it was before the step, and stays until it is updated
+                else:
+                    late.append(obj)
         except (TrabeculaError, AttributeError):
             continue  # without envelope or design
     for obj in late:

@@ -23,7 +23,8 @@ def renew(document: Any) -> None:
     TrabeculaError
         If an object of no design cannot be computed; the document is as it was.
     """
+    step = translate("Trabecula", "Bring up to date")
     for obj in stale_objects(document):
-        if not of_window().take(obj, obj.Proxy.key(obj)):
-            with transaction(document, translate("Trabecula", "Bring up to date")):
+        if not of_window().take(obj, obj.Proxy.key(obj), step):
+            with transaction(document, step):
                 make.update(obj)
