@@ -13,7 +13,7 @@ from freecad_trabecula.errors import MeshError, ParameterError
 def box(low, high):
     corners = np.where(np.arange(8)[:, None] >> np.arange(3) & 1, np.asarray(high, float), np.asarray(low, float))
     quads = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
-    return corners[[t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]]
+    return corners[np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])]
 
 
 def ball(radius, centre=(0.0, 0.0, 0.0), rings=12, sides=24):

@@ -8,6 +8,7 @@ import json
 import math
 import re
 import typing
+import warnings
 from typing import Any, Dict, Mapping, Type, TypeVar
 
 import numpy as np
@@ -99,10 +100,12 @@ def _tuple(args: tuple, value: Any, where: str) -> tuple:
 
 def _array(value: Any, where: str) -> np.ndarray:
     try:
-        array = np.array(value)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # numpy before 1.24 only warns of rows of different lengths
+            array = np.array(value)
         if array.dtype == object:  # null among the numbers
             array = np.array(value, float)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, Warning) as error:
         raise ParameterError(f"{where} must be a list of numbers: {error}") from error
     if array.dtype.kind not in "bif":
         raise ParameterError(f"{where} must be a list of numbers, got {value!r:.60}")
