@@ -10,7 +10,6 @@ from __future__ import annotations
 from typing import Any, Dict, Optional
 
 import FreeCAD
-import FreeCADGui
 import numpy as np
 from pivy import coin
 
@@ -31,11 +30,17 @@ _waiting: set = set()
 
 
 def add_property(view: Any) -> None:
-    """Give a view the property, if its object has something to be coloured."""
+    """Give a view the property, if its object has something to be coloured.
+
+    Of objects that are not ours, such as a bone, the command alone changes it. An observer of all views would see them
+    while they are being made, and FreeCAD 1.1 then takes a solid's for one without colours of faces, for good.
+    """
     offered = choices(view.Object)
     if offered and not hasattr(view, PROPERTY):
         view.addProperty("App::PropertyEnumeration", PROPERTY, "Trabecula", "What the colours mean")
         setattr(view, PROPERTY, list(offered))
+        if not type_of(view.Object):
+            view.setEditorMode(PROPERTY, 2)
 
 
 def is_coloured(obj: Any) -> bool:
@@ -210,6 +215,12 @@ def _first(root: Any, kind: Any) -> Any:
     return path.getTail() if path is not None else None
 
 
+def _refresh_others(document: Any) -> None:
+    for obj in document.Objects:
+        if not type_of(obj) and hasattr(obj.ViewObject, PROPERTY):
+            refresh(obj)
+
+
 class _Observer:
     """Forgets documents that are closed, and follows names and deletions (FreeCAD's observer protocol)."""
 
@@ -224,25 +235,19 @@ class _Observer:
             name = obj.Document.Name
             invoke_later(lambda: show_legends(name))
 
+    def slotUndoDocument(self, document: Any) -> None:
+        """Colour what is not ours by what its view says again: its view tells nobody (see ``add_property``)."""
+        _refresh_others(document)
+
+    def slotRedoDocument(self, document: Any) -> None:
+        """The same after redo."""
+        _refresh_others(document)
+
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """Follow its label."""
-        if name == "Label" and obj.Name in _legends.get(obj.Document.Name, {}):
+        """Follow its label, and whether it is seen."""
+        if name in ("Label", "Visibility") and obj.Name in _legends.get(obj.Document.Name, {}):
             show_legends(obj.Document.Name)
 
 
-class _Others:
-    """Follows the views of objects that are not ours, such as a bone (observer protocol of FreeCAD's window)."""
-
-    def slotChangedObject(self, view: Any, name: str) -> None:
-        """Colour it anew, or show its legend while it is seen."""
-        if name not in (PROPERTY, "Visibility") or not hasattr(view, PROPERTY) or type_of(view.Object):
-            return
-        if name == PROPERTY:
-            refresh(view.Object)
-        else:
-            show_legends(view.Object.Document.Name)
-
-
-_observer, _others = _Observer(), _Others()
+_observer = _Observer()
 FreeCAD.addDocumentObserver(_observer)
-FreeCADGui.addDocumentObserver(_others)

@@ -170,7 +170,12 @@ class ColourTest(WindowTest):
             self.assertEqual(again.Bone.ViewObject.ColourBy, "porosity along z")
             self.assertEqual(len(colouring.legends_of(again.Name)), 1)
             FreeCAD.closeDocument(again.Name)
-        bone.ViewObject.ColourBy = "plain"
+        self.run_command("Trabecula_Colour_plain")
+        self.assertEqual((seen(), colouring.legends_of(self.document.Name)), (1, ()))
+        self.document.undo()
+        settle(0.2)
+        self.assertEqual((seen(), len(colouring.legends_of(self.document.Name))), (bone.Mesh.CountFacets, 1))
+        self.document.undo()
         settle(0.2)
         self.assertEqual((seen(), colouring.legends_of(self.document.Name)), (1, ()))
 
