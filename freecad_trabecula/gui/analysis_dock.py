@@ -21,7 +21,7 @@ from .chart import Chart, Diagram
 from .fields import row_widget
 from .language import filled, in_words
 from .object_dock import ObjectDock
-from .qt import help_buttons, icon
+from .qt import Tabs, help_buttons, icon
 from .slice_view import Slice, SliceView, plane_box, plane_corners
 from .tables import fill, let_grow, table
 from .transactions import told
@@ -56,7 +56,7 @@ class AnalysisDock(ObjectDock):
         self.setWidget(self._make_page())
 
     def _make_page(self) -> Any:
-        self.tabs = QtGui.QTabWidget()
+        self.tabs = Tabs()
         for kind, words in KINDS:
             self.charts[kind].pointed.connect(self._point)
             self.tabs.addTab(self.charts[kind], words)

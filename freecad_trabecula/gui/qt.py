@@ -6,6 +6,7 @@ Widgets come from ``PySide.QtGui`` everywhere: FreeCAD 0.20 has no ``PySide.QtWi
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any, Tuple
 
@@ -19,6 +20,9 @@ from .help_pages import CONTENTS, GLOSSARY
 translate = FreeCAD.Qt.translate
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 MOST_DIGITS = 4  # of a length in mm that is shown; the value itself keeps all
+_LESS = ("\u00b5m", "\u03bcm", "nm")  # units that FreeCAD shows below 0.1 mm
+_OWN_UNIT = re.compile(r"(.*\d\s*[^\d\s.,]+\s*) mm")  # and the mm that was written behind the number before
+_BARE = re.compile(r"\s*[-+]?(\d+[.,]?\d*|[.,]\d+)\s*")  # a number without a unit
 _SMALL = 14  # pixels: icons of the buttons that lead to the help
 Buttons = QtGui.QDialogButtonBox
 FreeCADGui.addIconPath(str(RESOURCES / "icons"))
@@ -100,10 +104,38 @@ class PanelForm(QtGui.QWidget):
 
 
 def quantity_box() -> Any:
-    """Return FreeCAD's spin box for lengths: it takes units and formulas, and the decimal sign of the locale."""
+    """Return FreeCAD's spin box for lengths: it takes units and formulas, and the decimal sign of the locale.
+
+    FreeCAD shows less than 0.1 mm as micrometres, and takes a number without a unit for what it shows. Here it is one
+    of mm: the unit is written behind it as soon as it is typed.
+    """
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     box.setProperty("unit", "mm")
+    line = box.findChild(QtGui.QLineEdit)
+
+    def edited(*_: Any) -> None:
+        less = _shows_less(box)  # now: in a moment the box has taken what was typed
+        invoke_later(lambda: _mend_unit(line, less))
+
+    line.textEdited.connect(edited)
     return box
+
+
+def _shows_less(box: Any) -> bool:
+    """Whether the length of a box, before it is edited, is shown in a smaller unit than mm."""
+    quantity = FreeCAD.Units.Quantity(float(box.property("rawValue") or 0.0), FreeCAD.Units.Length)
+    return bool(quantity.UserString.endswith(_LESS))
+
+
+def _mend_unit(line: Any, less: bool) -> None:
+    """Write mm behind a number, and take it away before what is no number: a unit of the user's own, a formula."""
+    if not is_alive(line):
+        return
+    text, place = line.text(), line.cursorPosition()
+    own = _OWN_UNIT.fullmatch(text)
+    if own or (less and _BARE.fullmatch(text)):
+        line.setText(own[1] if own else text + " mm")
+        line.setCursorPosition(place)
 
 
 def set_length(box: Any, length: float) -> None:
@@ -163,6 +195,25 @@ def help_buttons(page: str, *before: Any) -> Any:
         button.setIconSize(QtCore.QSize(_SMALL, _SMALL))
         row.addWidget(button)
     return widget
+
+
+class Tabs(QtGui.QTabWidget):
+    """Pages whose tabs stay in sight, all of them: with little room their words are shortened, and told by tooltips."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setUsesScrollButtons(False)
+        self.setElideMode(QtCore.Qt.ElideRight)
+
+    def tabInserted(self, index: int) -> None:
+        """Give a new tab its tooltip (Qt's protocol)."""
+        super().tabInserted(index)
+        self.setTabToolTip(index, self.tabText(index))
+
+    def setTabText(self, index: int, text: str) -> None:
+        """Give a tab another word."""
+        super().setTabText(index, text)
+        self.setTabToolTip(index, text)
 
 
 def paper_and_ink() -> Tuple[Any, Any]:

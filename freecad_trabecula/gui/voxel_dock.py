@@ -23,7 +23,7 @@ from .language import in_words
 from .layer_view import LayerView
 from .object_choice import ObjectChoice
 from .object_dock import ObjectDock
-from .qt import help_buttons
+from .qt import Tabs, help_buttons
 from .recomputing import of_window
 from .slice_view import plane_corners
 from .tables import fill, let_grow, table
@@ -51,7 +51,7 @@ class VoxelDock(ObjectDock):
         self.charts = {kind: Chart() for kind, _ in KINDS}
         self.figures = table(3)
         self.why, self.why_plot = WhyTable(self.figures, self._found), WhyButton(self._keys, self._found)
-        self.tabs = QtGui.QTabWidget()
+        self.tabs = Tabs()
         self.axes = [QtGui.QRadioButton(axis.upper()) for axis in AXES]
         self.axes[self.axis].setChecked(True)
         self.setWidget(self._make_page())

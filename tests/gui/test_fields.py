@@ -109,6 +109,16 @@ class RoundTripTest(unittest.TestCase):
         type_into(field.widget, "0.75512")
         self.assertAlmostEqual(field.value(), 0.75512, places=12)
 
+    def test_a_number_without_a_unit_is_one_of_millimetres_even_where_micrometres_are_shown(self):
+        field = NumberField("mm", 0.1, nothing)
+        # a unit that is typed counts
+        for typed, wanted in (("0.08", 0.08), ("2", 2.0), ("0.001", 0.001), ("80 nm", 8e-5), ("30 um", 0.03)):
+            field.set_value(0.05)
+            self.assertIn("50", field.widget.text())
+            self.assertFalse(field.widget.text().endswith("mm"), field.widget.text())
+            type_into(field.widget, typed)
+            self.assertAlmostEqual(field.value(), wanted, places=12, msg=typed)
+
     def test_a_comma_is_a_decimal_sign_where_the_locale_says_so(self):
         before = QtCore.QLocale()
         QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))

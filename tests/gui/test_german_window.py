@@ -10,7 +10,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from window import WindowTest, type_into
+from window import WindowTest, settle, type_into
 from words import choices_of, command_texts, english_in, label_texts
 
 from freecad_trabecula import make
@@ -26,6 +26,7 @@ from freecad_trabecula.core.presets import preset
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.errors import ParameterError
 from freecad_trabecula.gui import language, panels, transactions
+from freecad_trabecula.gui.analysis_dock import dock_of_window
 from freecad_trabecula.gui.fields import NumberField
 from freecad_trabecula.gui.form import field_for
 from freecad_trabecula.gui.help_dock import show_help
@@ -33,6 +34,7 @@ from freecad_trabecula.gui.help_pages import GLOSSARY
 from freecad_trabecula.gui.law_field import LawField
 from freecad_trabecula.gui.outcome import Estimate, porosity_text
 from freecad_trabecula.gui.report_writing import report_words
+from freecad_trabecula.gui.voxel_dock import voxel_dock
 
 #: Read by tests/run.py, which writes it into FreeCAD's settings.
 LANGUAGE = "German"
@@ -105,6 +107,13 @@ class NumberTest(unittest.TestCase):
             type_into(field.widget, "0,75")
             self.assertAlmostEqual(field.value(), 0.75, places=12)
 
+    def test_a_small_length_is_typed_in_millimetres(self):
+        field = NumberField("mm", 0.1, nothing)
+        for typed, wanted in (("0,05", 0.05), ("0,08", 0.08), ("1,5", 1.5)):
+            field.set_value(0.03)
+            type_into(field.widget, typed)
+            self.assertAlmostEqual(field.value(), wanted, places=12, msg=typed)
+
     def test_labels_have_commas(self):
         self.assertEqual(language.local_number(0.5), "0,5")
         self.assertEqual(language.filled("{:.2f} {}", 0.125, 3), "0,12 3")
@@ -130,8 +139,7 @@ class PanelNumberTest(WindowTest):
                 continue
             if not box.isEnabledTo(panel.form):
                 continue
-            # a length below 0,1 mm is shown in µm, and a bare number is then one of µm
-            type_into(box, "0,5" if isinstance(box, QtGui.QDoubleSpinBox) else "0,5 mm")
+            type_into(box, "0,5")
             shown = box.property("rawValue") if box.property("rawValue") is not None else box.value()
             self.assertAlmostEqual(float(shown), 0.5, places=9, msg=box.toolTip())
             self.assertIn("0,5", box.text(), box.toolTip())
@@ -215,6 +223,21 @@ class ExplanationTest(unittest.TestCase):
         both = "scaffold: 1.25 against 2.5, 0.5 apart (at most 0.1)"
         found = explanation("design.porosity").rows([both], language.in_words)
         self.assertEqual(found[-1], ("both routes", "Gerüst: 1,25 gegen 2,5, 0,5 auseinander (höchstens 0,1)"))
+
+
+class TabsTest(WindowTest):
+    def test_the_tabs_of_the_docks_are_all_in_sight_beside_a_panel(self):
+        for dock in (dock_of_window(), voxel_dock()):
+            dock.open()
+            dock.setFloating(True)
+            dock.resize(640, 330)
+            settle(0.3)
+            bar = dock.tabs.tabBar()
+            for k in range(bar.count()):
+                self.assertTrue(bar.rect().contains(bar.tabRect(k)), (bar.tabText(k), bar.tabRect(k), bar.rect()))
+                self.assertEqual(bar.tabToolTip(k), bar.tabText(k))
+            dock.setFloating(False)
+            dock.hide()
 
 
 class GlossaryTest(WindowTest):

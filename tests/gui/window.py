@@ -36,10 +36,13 @@ def press(widget, key, text=""):
 def type_into(box, text):
     """Type a text into a spin box in place of what it holds, and press Return."""
     line = box.findChild(QtGui.QLineEdit)
+    QtGui.QApplication.processEvents()
     line.setFocus()
+    QtGui.QApplication.processEvents()
     line.selectAll()
     for letter in text:
         press(line, 0, letter)
+        QtGui.QApplication.processEvents()  # as between the keys of a person
     press(line, QtCore.Qt.Key_Return)
 
 
