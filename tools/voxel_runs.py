@@ -4,6 +4,7 @@
 
     python3 tools/voxel_runs.py seeds [--seeds 20] [--contacts edge] [--trabeculae off] [--thickness 1] [--void 1]
     python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled; by all strategies
+    python3 tools/voxel_runs.py small [--seeds 3]        # small samples with full layers: solved and refused
     python3 tools/voxel_runs.py growth                   # 50^3 to 512^3; draws docs/pictures/voxels-growth.png
 
 Samples are the shrew cube and the human bone at 0.1 mm. Times are CPU seconds of one thread; the texture is fitted once
@@ -27,6 +28,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 import numpy as np  # noqa: E402
+from small_samples import counts_exist, keeps_rules, samples  # noqa: E402
 
 from freecad_trabecula.core.progress import silent  # noqa: E402
 from freecad_trabecula.core.stl import read_triangles  # noqa: E402
@@ -36,6 +38,7 @@ from freecad_trabecula.core.voxels.connectivity import (  # noqa: E402
     edge_contacts,
     parts,
 )  # fmt: skip
+from freecad_trabecula.core.voxels.design import make_design  # noqa: E402
 from freecad_trabecula.core.voxels.masks import main_part, targets_within  # noqa: E402
 from freecad_trabecula.core.voxels.parameters import VoxelParameters  # noqa: E402
 from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names  # noqa: E402
@@ -45,7 +48,7 @@ from freecad_trabecula.core.voxels.targets import Targets  # noqa: E402
 from freecad_trabecula.core.voxels.trabeculae import mean_deviation, trabecula_counts  # noqa: E402
 from freecad_trabecula.core.voxels.variants import chance_overlap, overlaps  # noqa: E402
 from freecad_trabecula.core.voxels.verification import layer_errors  # noqa: E402
-from freecad_trabecula.errors import ExactnessError  # noqa: E402
+from freecad_trabecula.errors import ExactnessError, InfeasibleError  # noqa: E402
 
 DATA = Path(os.environ.get("TRABECULA_DATA") or ROOT.parent / "shared" / "data")
 WAVE = 14.0  # voxels: the human bone's at 0.1 mm
@@ -171,6 +174,40 @@ def _filled(targets, parameters, mask):
     return voxels, targets, seconds, mask
 
 
+def small(options):
+    """Design every small sample with every seed; print what was refused, and whether an exact check agrees."""
+    found, worst = {}, 0.0
+    for kind, name, targets in samples():
+        for seed in range(1, options.seeds + 1):
+            start = time.process_time()
+            try:
+                design = make_design(targets, VoxelParameters(seed=seed, size=targets.voxel, contacts=options.contacts))
+                held = len(parts(design.voxels)[1]) == 2 and len(closed_cavities(design.voxels)[1]) == 1
+                touch = options.contacts != "any" and edge_contacts(design.voxels)
+                result = "solved" if held and not touch else "wrong"
+            except (ExactnessError, InfeasibleError) as error:
+                result = _refusal(targets, error)
+                print(f"{name}, seed {seed}: {result}: {error}", flush=True)
+            seconds = time.process_time() - start
+            worst = max(worst, seconds)
+            row = found.setdefault(kind, {})
+            row[result] = row.get(result, 0) + 1
+            row["CPU s"] = row.get("CPU s", 0.0) + seconds
+    for kind, row in found.items():
+        print(f"{kind}: " + ", ".join(f"{what} {count:.4g}" for what, count in sorted(row.items())))
+    print(f"longest {worst:.1f} s")
+    return any(row.get("wrong", 0) + row.get("wrongly refused", 0) for row in found.values())
+
+
+def _refusal(targets, error):
+    """Return what a refusal is worth."""
+    if keeps_rules(targets.sample, targets):
+        return "wrongly refused"
+    if not counts_exist(targets):
+        return "no voxels have these counts"
+    return "no design keeps the rules" if isinstance(error, InfeasibleError) else "not known"
+
+
 def grown(options):
     """Design one box of the human bone's profiles; print its edge, waves, CPU seconds, peak memory in GB, faults."""
     targets = read_targets(options.data / SAMPLES["human"], VoxelParameters())
@@ -229,7 +266,7 @@ def draw_growth(found):
 def main():
     """Read the command line and run one check."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("check", choices=("seeds", "masks", "growth", "grown"))
+    parser.add_argument("check", choices=("seeds", "masks", "small", "growth", "grown"))
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--contacts", default="edge", choices=("any", "edge", "corner"))
     parser.add_argument("--trabeculae", default="off")
@@ -240,7 +277,7 @@ def main():
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--data", type=Path, default=DATA)
     options = parser.parse_args()
-    checks = {"seeds": seeds, "masks": masks, "growth": growth, "grown": grown}
+    checks = {"seeds": seeds, "masks": masks, "small": small, "growth": growth, "grown": grown}
     return int(bool(checks[options.check](options)))
 
 

@@ -1666,6 +1666,16 @@
         <translation> und {} weitere Abschnitte</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source> by an edge</source>
+        <translation> durch eine Kante</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source> by an edge or a corner</source>
+        <translation> durch eine Kante oder eine Ecke</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> or {}</source>
         <translation> oder {}</translation>
@@ -1689,6 +1699,11 @@
         <location filename="../../freecad_trabecula/core/report_text.py"/>
         <source>, box of {} mm</source>
         <translation>, Quader {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>, one of them in layer {} along Z</source>
+        <translation>, einen davon in Schicht {} entlang Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -3139,6 +3154,11 @@
         <translation>Schnitte eines anderen Programms in den Tests; bei Volumenkörpern die Schnitte des Kerns (make.exact_slices)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>another seed, counts that differ less between layers or a strategy that fills tables may do</source>
+        <translation>ein anderer Startwert, Anzahlen, die sich von Schicht zu Schicht weniger unterscheiden, oder eine Strategie, die Tabellen füllt, könnten helfen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>area and volume of the triangles, BS/BV</source>
         <translation>Fläche und Volumen der Dreiecke, BS/BV</translation>
@@ -3987,6 +4007,11 @@
         <translation>jede Fläche darf nur einmal genannt sein, hier {} noch einmal in {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>every layer must have its count in a design with {}; none was found</source>
+        <translation>jede Schicht muss ihre Anzahl haben, in einem Entwurf mit: {}; keiner wurde gefunden</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
         <source>every layer must have its count in one part without closed cavities; after {} flips {} layers are off by {} voxels together, layer {} along {} by {}; another seed, fewer restrictions or smaller voxels may do</source>
         <translation>jede Schicht muss ihre Anzahl in einem Teil ohne geschlossene Hohlräume haben; nach {} Tauschschritten fehlen {} Schichten zusammen {} Voxel, Schicht {} entlang {} davon {}; ein anderer Startwert, weniger Einschränkungen oder kleinere Voxel können helfen</translation>
@@ -4754,9 +4779,30 @@
         <translation>nein</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_rules.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no closed cavity</source>
+        <translation>kein geschlossener Hohlraum</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no contact{} alone</source>
+        <translation>kein Kontakt nur{}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>no design has these counts: no set of layers contradicts another by itself, but a search of all designs found none</source>
         <translation>kein Entwurf hat diese Anzahlen: keine Schichtengruppe widerspricht für sich einer anderen, aber die Suche aller Entwürfe fand keinen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no design with these counts exists that has {}</source>
+        <translation>kein Entwurf mit diesen Anzahlen hat zugleich: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no design with these counts exists{}</source>
+        <translation>kein Entwurf hat diese Anzahlen{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4920,6 +4966,8 @@
         <translation>bestanden</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_rules.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>one part</source>
         <translation>ein Teil</translation>
@@ -4938,6 +4986,11 @@
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>only a cut that was made can be undone, got 0 cuts</source>
         <translation>nur ein gemachter Schnitt kann zurückgenommen werden, hier 0 Schnitte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>only a strategy that fills tables, in several parts or with cavities, can have these counts</source>
+        <translation>nur eine Strategie, die Tabellen füllt, in mehreren Teilen oder mit Hohlräumen, kann diese Anzahlen haben</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -5763,6 +5816,12 @@
         <translation>Schnitte entlang {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/annealing.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>small box</source>
+        <translation>kleiner Quader</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>smallest possible caps</source>
         <translation>kleinstmögliche Grenzen</translation>
@@ -6465,6 +6524,16 @@
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file must have an item to build</source>
         <translation>das Modell einer 3MF-Datei muss ein Bauteil enthalten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>the nearest one found has {} contacts{}</source>
+        <translation>der nächste gefundene hat {} Kontakte{}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>the nearest one found has {} voxels instead of {} in layer {} along {}</source>
+        <translation>der nächste gefundene hat {} Voxel statt {} in Schicht {} entlang {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -7605,6 +7674,16 @@
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>wireframe</source>
         <translation>Drahtmodell</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>with contacts 'any' there is one</source>
+        <translation>mit Kontakten „any“ gibt es einen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>with contacts '{}' there is one</source>
+        <translation>mit Kontakten „{}“ gibt es einen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>

@@ -1666,6 +1666,16 @@
         <translation> e altri {} tratti</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source> by an edge</source>
+        <translation> per uno spigolo</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source> by an edge or a corner</source>
+        <translation> per uno spigolo o un vertice</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source> or {}</source>
         <translation> o {}</translation>
@@ -1689,6 +1699,11 @@
         <location filename="../../freecad_trabecula/core/report_text.py"/>
         <source>, box of {} mm</source>
         <translation>, parallelepipedo {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>, one of them in layer {} along Z</source>
+        <translation>, uno dei quali nello strato {} lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -3139,6 +3154,11 @@
         <translation>le sezioni di un altro programma nei test; per i solidi le sezioni del nucleo (make.exact_slices)</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>another seed, counts that differ less between layers or a strategy that fills tables may do</source>
+        <translation>può bastare un altro seme, conteggi che differiscono meno da strato a strato o una strategia che riempie tabelle</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>area and volume of the triangles, BS/BV</source>
         <translation>area e volume dei triangoli, BS/BV</translation>
@@ -3987,6 +4007,11 @@
         <translation>ogni faccia deve essere nominata una volta, qui {} di nuovo in {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>every layer must have its count in a design with {}; none was found</source>
+        <translation>ogni strato deve avere il suo conteggio in un progetto con: {}; nessuno è stato trovato</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_moves.py"/>
         <source>every layer must have its count in one part without closed cavities; after {} flips {} layers are off by {} voxels together, layer {} along {} by {}; another seed, fewer restrictions or smaller voxels may do</source>
         <translation>ogni strato deve avere il suo conteggio in una parte senza cavità chiuse; dopo {} scambi {} strati sbagliano di {} voxel insieme, lo strato {} lungo {} di {}; un altro seme, meno vincoli o voxel più piccoli possono bastare</translation>
@@ -4754,9 +4779,30 @@
         <translation>no</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_rules.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no closed cavity</source>
+        <translation>nessuna cavità chiusa</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no contact{} alone</source>
+        <translation>nessun contatto solo{}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>no design has these counts: no set of layers contradicts another by itself, but a search of all designs found none</source>
         <translation>nessun progetto ha questi conteggi: nessun insieme di strati ne contraddice da solo un altro, ma la ricerca di tutti i progetti non ne ha trovati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no design with these counts exists that has {}</source>
+        <translation>non esiste un progetto con questi conteggi che abbia: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>no design with these counts exists{}</source>
+        <translation>non esiste un progetto con questi conteggi{}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -4920,6 +4966,8 @@
         <translation>superato</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/exact_rules.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>one part</source>
         <translation>una parte</translation>
@@ -4938,6 +4986,11 @@
         <location filename="../../freecad_trabecula/core/booleans.py"/>
         <source>only a cut that was made can be undone, got 0 cuts</source>
         <translation>solo un taglio fatto può essere annullato, qui 0 tagli</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>only a strategy that fills tables, in several parts or with cavities, can have these counts</source>
+        <translation>solo una strategia che riempie tabelle, in più parti o con cavità, può avere questi conteggi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
@@ -5763,6 +5816,12 @@
         <translation>sezionamento lungo {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/annealing.py"/>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>small box</source>
+        <translation>scatola piccola</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>smallest possible caps</source>
         <translation>minimi massimi possibili</translation>
@@ -6465,6 +6524,16 @@
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the model of a 3MF file must have an item to build</source>
         <translation>il modello di un file 3MF deve avere un elemento da costruire</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>the nearest one found has {} contacts{}</source>
+        <translation>il più vicino trovato ha {} contatti{}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>the nearest one found has {} voxels instead of {} in layer {} along {}</source>
+        <translation>il più vicino trovato ha {} voxel invece di {} nello strato {} lungo {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -7605,6 +7674,16 @@
         <location filename="../../freecad_trabecula/geometry/design.py"/>
         <source>wireframe</source>
         <translation>telaio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>with contacts 'any' there is one</source>
+        <translation>con i contatti «any» ce n'è uno</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>with contacts '{}' there is one</source>
+        <translation>con i contatti «{}» ce n'è uno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/feasibility.py"/>

@@ -183,9 +183,7 @@ class ExpressionTest(DocumentCase):
     def test_voxel_design(self):
         ring = self.document.addObject("Part::Feature", "Ring")
         ring.Shape = Part.makeBox(4, 4, 4).cut(Part.makeBox(2, 2, 4))
-        # full layers leave the trabecular strategy next to no choice, tables as much as there is
-        parameters = VoxelParameters(size=(0.5, 0.5, 0.5), strategy="minimum-zeros")
-        design = make.make_voxel_design(self.document, ring, parameters)
+        design = make.make_voxel_design(self.document, ring, VoxelParameters(size=(0.5, 0.5, 0.5)))
         self.assert_driven(design, 5, VoxelCapAlpha=8, VoxelCapBeta=8)
         self.assert_refused(design, "VoxelSize.x", 0.0, "voxel's edges must be at least 0.0001 mm, got 0 mm")
         for axis in "xyz":

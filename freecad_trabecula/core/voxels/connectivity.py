@@ -187,6 +187,18 @@ def edge_contacts(solid: np.ndarray) -> int:
     return count
 
 
+def edge_contact_voxels(solid: np.ndarray) -> np.ndarray:
+    """Return the four voxels around every contact by an edge alone, bool like ``solid``."""
+    found = np.zeros(solid.shape, bool)
+    for axis in range(3):
+        s, f = np.moveaxis(solid, axis, 0), np.moveaxis(found, axis, 0)
+        a, b, c, d = s[:, :-1, :-1], s[:, 1:, 1:], s[:, :-1, 1:], s[:, 1:, :-1]
+        touch = (a == b) & (c == d) & (a != c)
+        for part in (f[:, :-1, :-1], f[:, 1:, 1:], f[:, :-1, 1:], f[:, 1:, :-1]):
+            part |= touch
+    return found
+
+
 def corner_contacts(solid: np.ndarray) -> int:
     """Return how many 2 x 2 x 2 blocks have two opposite corners alone of their kind (solid or void)."""
     size = tuple(n - 1 for n in solid.shape)

@@ -8,6 +8,7 @@ finds weights of the layers that no design can meet (Farkas), branch and bound a
 from __future__ import annotations
 
 import math
+import time
 from typing import Any, Optional, Tuple
 
 import numpy as np
@@ -49,31 +50,74 @@ def searched_design(targets: Targets, parameters: VoxelParameters, mask: Optiona
         raise ExactnessError(
             f"designs are searched for exhaustively up to {LARGEST_SEARCH} cells, got {int(allowed.sum())}"
         )
-    optimize = optional_module("scipy.optimize", "the search for a design needs scipy 1.9 or later", "milp")
+    check_programs()
+    from scipy.sparse import vstack
+
     _check_weights(targets, allowed)
     matrix, sums = _layer_sums(targets, allowed)
     lines, caps = _line_caps(targets, parameters, allowed)
-    cells = matrix.shape[1]
-    result = optimize.milp(
-        np.zeros(cells),
-        integrality=np.ones(cells),
-        bounds=optimize.Bounds(0, 1),
-        constraints=[
-            optimize.LinearConstraint(matrix, sums, sums),
-            optimize.LinearConstraint(lines, -np.inf, caps),
-        ],
-        options={"time_limit": _SECONDS},
-    )
-    if result.status == 2:
+    low, high = np.concatenate([sums, np.full(len(caps), -np.inf)]), np.concatenate([sums, caps])
+    chosen, certain = solved_program(vstack([matrix, lines]).tocsr(), low, high, np.ones(matrix.shape[1]), _SECONDS)
+    if chosen is None and certain:
         raise InfeasibleError(
             "no design has these counts: no set of layers contradicts another by itself, but a search of all designs "
             "found none"
         )
-    if result.x is None:
+    if chosen is None:
         raise ExactnessError(f"the search for a design gave up after {_SECONDS:g} s")
     voxels = np.zeros(targets.shape, bool)
-    voxels[allowed] = result.x > 0.5
+    voxels[allowed] = chosen
     return voxels
+
+
+def check_programs() -> None:
+    """Refuse to search where scipy has no integer programs.
+
+    Raises
+    ------
+    DependencyError
+        If scipy is missing or older than 1.9.
+    """
+    optional_module("scipy.optimize", "the search for a design needs scipy 1.9 or later", "milp")
+
+
+def solved_program(
+    matrix: Any, low: np.ndarray, high: np.ndarray, most: np.ndarray, seconds: float
+) -> Tuple[Optional[np.ndarray], bool]:
+    """Return variables of 0 or 1 that keep all constraints, (cells,) bool or None, and whether the answer is certain.
+
+    Parameters
+    ----------
+    matrix : sparse matrix of shape (rows, cells)
+    low, high : ndarrays of shape (rows,)
+        Bounds of matrix x variables.
+    most : ndarray of shape (cells,)
+        Upper bounds of the variables, 0 or 1.
+    seconds : float
+        After which it gives up.
+
+    Notes
+    -----
+    The presolver of the HiGHS in scipy 1.10 gives variables of 3 and -2 for some programs, and calls them optimal: what
+    it says is believed where the constraints hold; else, and where it finds nothing, the program is solved without it.
+    """
+    from scipy.optimize import Bounds, LinearConstraint, milp
+
+    end = time.perf_counter() + seconds
+    for presolve in (True, False):
+        result = milp(
+            np.zeros(len(most)),
+            integrality=np.ones(len(most)),
+            bounds=Bounds(0, most),
+            constraints=LinearConstraint(matrix, low, high),
+            options={"time_limit": max(end - time.perf_counter(), 0.1), "presolve": presolve},
+        )
+        if result.x is not None:
+            chosen = result.x > 0.5
+            sums = matrix @ chosen.astype(float)
+            if (chosen <= most).all() and ((low <= sums) & (sums <= high)).all():
+                return chosen, True
+    return None, result.status == 2
 
 
 def _layer_sums(targets: Targets, allowed: np.ndarray) -> Tuple[Any, np.ndarray]:

@@ -8,7 +8,7 @@ layers along X, Y and Z must hold; that is necessary.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional, Tuple
+from typing import NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -75,6 +75,49 @@ def most_given(rows: np.ndarray, count: int, cap: int) -> np.ndarray:
     tops = np.arange(1, count + 1) * cap
     small = np.searchsorted(ordered, tops, side="right")
     return below[small] + (len(ordered) - small) * tops
+
+
+def forced_cells(counts: Sequence[np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
+    """Return which cells are solid in every design, and which are void in every design; two bool (P, M, N).
+
+    Parameters
+    ----------
+    counts : sequence of 3 int arrays
+        Voxels of each layer along z, y, x.
+
+    Notes
+    -----
+    Where the fullest layers along one axis ask for all that the layers along another can give them, the lines that are
+    given whole are solid, and layers give nothing to the rest before these have all. Full and empty layers are of that
+    kind. Then, until nothing changes: a layer that has its count has no more, one that needs all its cells has them.
+
+    Examples
+    --------
+    >>> solid, void = forced_cells([np.array([2, 2]), np.array([2, 2]), np.array([4, 0])])
+    >>> solid[:, :, 0].all() and void[:, :, 1].all()
+    True
+    """
+    shape = tuple(len(count) for count in counts)
+    solid, void = np.zeros(shape, bool), np.zeros(shape, bool)
+    for first, second in ((0, 1), (1, 0), (0, 2), (2, 0), (1, 2), (2, 1)):
+        cap = shape[3 - first - second]
+        rows, columns = counts[first], counts[second]
+        order = np.argsort(-columns, kind="stable")
+        lack = np.cumsum(columns[order]) - most_given(rows, len(columns), cap)
+        of_solid, of_void = (np.moveaxis(cells, (first, second), (0, 1)) for cells in (solid, void))
+        for width in np.flatnonzero(lack >= 0) + 1:
+            of_solid[np.ix_(rows >= width * cap, np.isin(np.arange(len(columns)), order[:width]))] = True
+            of_void[np.ix_(rows <= width * cap, np.isin(np.arange(len(columns)), order[width:]))] = True
+    while True:
+        before = np.count_nonzero(solid) + np.count_nonzero(void)
+        for axis, count in enumerate(counts):
+            of_solid, of_void = np.moveaxis(solid, axis, 0), np.moveaxis(void, axis, 0)
+            done = of_solid.sum((1, 2)) == count
+            of_void[done] |= ~of_solid[done]
+            short = (~of_void).sum((1, 2)) == count
+            of_solid[short] |= ~of_void[short]
+        if np.count_nonzero(solid) + np.count_nonzero(void) == before:
+            return solid, void
 
 
 def smallest_cap(rows: np.ndarray, columns: np.ndarray) -> int:

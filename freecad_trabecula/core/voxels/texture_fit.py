@@ -90,7 +90,7 @@ def _fitted(packed: bytes, shape: tuple, mix: Optional[float]) -> Texture:
     wanted = crossing_tensor(window)
     rates, axes = np.linalg.eigh(wanted)
     # along a prism's axis nothing is crossed, and the waves are as long as they can be told from none
-    least = (_START / (_LONGEST * max(window.shape))) ** 2
+    least = _least_rate(window)
     if rates[-1] < least:
         raise ParameterError("a sample must have a surface to fit a texture to, got one that is empty or full")
     if rates[0] < least:
@@ -103,6 +103,17 @@ def _fitted(packed: bytes, shape: tuple, mix: Optional[float]) -> Texture:
         mix, texture = _fitted_mix(window, wanted, texture)
     texture = _scaled_to(window, wanted, replace(texture, mix=mix))[0]
     return replace(texture, wavelengths=tuple(_length(np.array(texture.wavelengths) * step)))
+
+
+def _least_rate(window: np.ndarray) -> float:
+    """Return the square of the crossings per voxel of the longest waves that are looked for."""
+    return (_START / (_LONGEST * max(window.shape))) ** 2
+
+
+def has_surface(sample: np.ndarray) -> bool:
+    """Return whether a sample is crossed often enough for a texture to be fitted to it."""
+    window, _ = _window(np.asarray(sample, bool))
+    return bool(np.linalg.eigvalsh(crossing_tensor(window))[-1] >= _least_rate(window))
 
 
 def _length(lengths: np.ndarray) -> List[float]:

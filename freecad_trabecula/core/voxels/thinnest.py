@@ -16,7 +16,7 @@ import numpy as np
 
 from ...errors import ExactnessError
 from ..progress import Progress, silent
-from .connectivity import Solid
+from .connectivity import Solid, edge_contact_voxels
 from .joining import one_part
 from .plane_offsets import FORBIDDEN, layer_sums, newton_offsets, polished, solid_of
 
@@ -217,7 +217,7 @@ def _of_cubes(solid: np.ndarray, mask: np.ndarray, thickness: int, void: int, co
         solid |= ~solid & ~in_cubes(~solid, void) & mask
         seeds = solid & ~in_cubes(solid, thickness)
         if not contacts:
-            seeds |= _beside_edges(solid)
+            seeds |= edge_contact_voxels(solid)
         z, y, x = (np.nonzero(seeds)[axis][:, None] + cube[:, axis] for axis in range(3))
         inside = (z >= 0) & (y >= 0) & (x >= 0) & (z < solid.shape[0]) & (y < solid.shape[1]) & (x < solid.shape[2])
         z, y, x = z[inside], y[inside], x[inside]
@@ -225,15 +225,3 @@ def _of_cubes(solid: np.ndarray, mask: np.ndarray, thickness: int, void: int, co
         if np.count_nonzero(solid) == count:
             break
     return solid
-
-
-def _beside_edges(solid: np.ndarray) -> np.ndarray:
-    """Return the four voxels around every contact by an edge alone, bool like ``solid``."""
-    found = np.zeros(solid.shape, bool)
-    for axis in range(3):
-        s, f = np.moveaxis(solid, axis, 0), np.moveaxis(found, axis, 0)
-        a, b, c, d = s[:, :-1, :-1], s[:, 1:, 1:], s[:, :-1, 1:], s[:, 1:, :-1]
-        touch = (a == b) & (c == d) & (a != c)
-        for part in (f[:, :-1, :-1], f[:, 1:, 1:], f[:, :-1, 1:], f[:, 1:, :-1]):
-            part |= touch
-    return found

@@ -7,7 +7,13 @@ from scipy import ndimage
 
 from freecad_trabecula.core.voxels.plane_offsets import layer_sums
 from freecad_trabecula.core.voxels.texture import Texture, trabecular_field
-from freecad_trabecula.core.voxels.texture_fit import crossing_rates, crossing_tensor, fitted_texture, trabecula_area
+from freecad_trabecula.core.voxels.texture_fit import (
+    crossing_rates,
+    crossing_tensor,
+    fitted_texture,
+    has_surface,
+    trabecula_area,
+)  # fmt: skip
 from freecad_trabecula.errors import ParameterError
 
 
@@ -58,3 +64,12 @@ def test_the_area_of_trabeculae_is_weighed_by_area():
 def test_a_sample_without_surface_is_refused(fill):
     with pytest.raises(ParameterError, match="surface"):
         fitted_texture(np.full((12, 12, 12), fill))
+
+
+def test_a_surface_is_told_where_a_texture_can_be_fitted():
+    solid = np.ones((8, 8, 8), bool)
+    assert not has_surface(solid)
+    solid[7, 7, 7] = False
+    assert not has_surface(solid)  # crossed once in a hundred voxels
+    solid[4:] = False
+    assert has_surface(solid)

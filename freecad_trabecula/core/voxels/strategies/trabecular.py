@@ -19,10 +19,11 @@ from ..joining import joined_solid, one_part
 from ..local_scale import locally_fitted
 from ..masks import allowed_voxels, main_part
 from ..parameters import VoxelParameters
-from ..plane_offsets import FORBIDDEN, newton_offsets, solid_of
+from ..plane_offsets import FORBIDDEN, newton_offsets, on_field, solid_of
+from ..small_boxes import SmallBox, is_small_box
 from ..targets import Targets
 from ..texture import Texture, trabecular_field
-from ..texture_fit import DEFAULT_MIX, fitted_texture
+from ..texture_fit import DEFAULT_MIX, fitted_texture, has_surface
 from ..thinnest import ThickSolid, thick_start
 from ..trabeculae import match_trabeculae, trabecula_counts, wanted_trabeculae
 
@@ -63,11 +64,12 @@ def design(
     check_one_part(counts)
     allowed = allowed_voxels(counts, None if mask is None else main_part(mask))
     order = _Order(targets, parameters, counts, allowed, chosen_texture(targets, parameters))
-    for attempt in range(_ATTEMPTS):
+    attempts = 1 if order.is_small else _ATTEMPTS
+    for attempt in range(attempts):
         try:
             return order.filled(attempt, progress)
         except ExactnessError:
-            if attempt == _ATTEMPTS - 1:
+            if attempt == attempts - 1:
                 raise
     raise ExactnessError("no field was tried")
 
@@ -96,10 +98,10 @@ def chosen_texture(targets: Targets, parameters: VoxelParameters) -> Texture:
     """Return the texture that the parameters ask for, in voxels: theirs, the sample's where they leave it open."""
     mix = parameters.rods if parameters.rods >= 0 else None
     lengths = np.array([length / edge for length, edge in zip(parameters.wavelength, targets.voxel)])
-    if targets.sample is None:
-        fitted = Texture((DEFAULT_WAVELENGTH,) * 3, mix=DEFAULT_MIX if mix is None else mix)
-    elif lengths.all() and mix is not None:
+    if lengths.all() and mix is not None:
         fitted = Texture(mix=mix)
+    elif targets.sample is None or not has_surface(targets.sample):
+        fitted = Texture((DEFAULT_WAVELENGTH,) * 3, mix=DEFAULT_MIX if mix is None else mix)
     else:
         fitted = fitted_texture(targets.sample, mix)
         if parameters.trabeculae != "off" and fitted.mix < COUNTED_MIX:
@@ -142,17 +144,46 @@ class _Order:
         field = self.field(attempt, part(progress, 0.0, ends[0]))
         solid, offsets = self._started(field, part(progress, *ends))
         moves = ExactMoves(solid, field, offsets, self.counts, part(progress, ends[1], 1.0))
-        if self.parameters.contacts != "any":
-            remove_contacts(moves, self.parameters.contacts == "corner")
-        if self.counts_trabeculae:
-            match_trabeculae(moves, self.wanted)
-        return moves.run()
+        try:
+            if self.parameters.contacts != "any":
+                remove_contacts(moves, self.parameters.contacts == "corner")
+            if self.counts_trabeculae:
+                match_trabeculae(moves, self.wanted)
+            return moves.run()
+        except ExactnessError:
+            if not self.is_small:
+                raise
+        return self._of_small_box(moves, part(progress, ends[1], 1.0))
+
+    @property
+    def is_small(self) -> bool:
+        """Whether a small box is searched when fields and exact moves find nothing."""
+        return is_small_box(self.shape) and self.parameters.thickness == self.parameters.void == 1
+
+    def _of_small_box(self, moves: ExactMoves, progress: Progress) -> np.ndarray:
+        """Return one exact part where moves found none, with trabeculae counted as far as that leaves it exact."""
+        box = SmallBox(self.counts, self.allowed, self.parameters.contacts, self.parameters.seed)
+        voxels = box.design(moves.solid.voxels, on_field(moves.field, moves.offsets), progress)
+        if not self.counts_trabeculae:
+            return voxels
+        avoided = self.parameters.contacts != "any", self.parameters.contacts == "corner"
+        counted = ExactMoves(Solid(voxels, self.allowed, *avoided), moves.field, moves.offsets, self.counts, progress)
+        try:
+            match_trabeculae(counted, self.wanted)
+            return counted.run()
+        except ExactnessError:
+            return voxels
 
     def _started(self, field: np.ndarray, progress: Progress) -> Tuple[Solid, List[np.ndarray]]:
         """Return one part with nearly the counts, thick enough if asked for, and the field's offsets."""
         thickness, void = self.parameters.thickness, self.parameters.void
         if thickness == 1 and void == 1:
-            solid, offsets = joined_solid(field, self.counts, progress)
+            try:
+                solid, offsets = joined_solid(field, self.counts, progress)
+            except ExactnessError:
+                if not self.is_small:
+                    raise
+                solid, offsets = np.zeros(self.shape, bool), [np.zeros(n, np.float32) for n in self.shape]
             return Solid(solid, self.allowed), offsets
         may_touch = self.parameters.contacts == "any"
         solid, offsets = thick_start(field, self.counts, thickness, void, may_touch, progress)
