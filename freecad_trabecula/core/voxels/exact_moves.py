@@ -8,7 +8,7 @@ other two axes see nothing. Where no line serves, the two are chosen freely and 
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence, Tuple
+from typing import Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from .plane_offsets import FORBIDDEN, layer_sums
 
 _PAIRS = 12  # pairs of layers tried before a line is given up for free places
 _FEW = 1024  # best places looked at together
+_SORTED = 4 * _FEW  # of the best places, sorted before the others
 _LOOPS = 40
 _STALLS = 8  # loops without getting nearer after which the search gives up
 _FAILURES = 50  # of lines along one axis before the others have their turn
@@ -210,9 +211,8 @@ class ExactMoves:
 
     def _best(self, index: np.ndarray, cost: np.ndarray, legal: object, most: int = 1) -> np.ndarray:
         """Return up to so many legal voxels of least cost among voxels (C,), which may be flipped at once."""
-        order = np.argsort(cost, kind="stable")
-        for first in range(0, len(order), _FEW):
-            some = index[order[first : first + _FEW]]
+        for order in ascending(cost):
+            some = index[order]
             some = some[legal(some)]
             if len(some):
                 return some[self.solid.apart(some)][:most] if most > 1 else some[:1]
@@ -271,10 +271,9 @@ class ExactMoves:
         if not len(lines):
             return False
         cost = np.maximum(low[lines], 0) + np.maximum(-high[lines], 0)
-        lines = lines[np.argsort(cost, kind="stable")]
         needed = min(int(self.lacking[axis][short]), -int(self.lacking[axis][full]))
-        for first in range(0, len(lines), _FEW):
-            some = lines[first : first + _FEW]
+        for order in ascending(cost):
+            some = lines[order]
             some = some[self.solid.addable(add[some])]
             some = some[self.solid.removable(remove[some])]
             some = some[self.solid.apart(add[some])][: max(needed, 1)]
@@ -344,6 +343,26 @@ class ExactMoves:
                     return self.flips > before
                 self.flip(one)
         return self.flips > before
+
+
+def ascending(cost: np.ndarray) -> Iterator[np.ndarray]:
+    """Yield the places of costs (C,) from the least on, few at a time; ties in their order.
+
+    Mostly the first few are enough: the rest is sorted only when it is asked for.
+    """
+    order = np.arange(0)
+    rest = np.arange(len(cost))
+    if len(cost) > 4 * _SORTED:
+        is_first = cost <= np.partition(cost, _SORTED)[_SORTED]
+        first, rest = np.flatnonzero(is_first), np.flatnonzero(~is_first)
+        order = first[np.argsort(cost[first], kind="stable")]
+        whole = len(order) // _FEW * _FEW
+        for start in range(0, whole, _FEW):
+            yield order[start : start + _FEW]
+        order = order[whole:]
+    order = np.concatenate([order, rest[np.argsort(cost[rest], kind="stable")]])
+    for start in range(0, len(order), _FEW):
+        yield order[start : start + _FEW]
 
 
 def _single(solid: Solid, index: int) -> List[int]:

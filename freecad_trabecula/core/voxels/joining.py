@@ -16,9 +16,9 @@ from ..progress import Progress, silent
 from .connectivity import FACES, closed_cavities, parts
 from .plane_offsets import FORBIDDEN, newton_offsets, polished, solid_of
 
-#: Islands of at least this share of the voxels, and of 8 voxels, are joined; smaller ones are dropped.
+#: Islands of at least this share of the voxels, but of 8 to 150 of them, are joined; smaller ones are dropped.
 LEAST_ISLAND = 5e-4
-_SMALLEST_ISLAND = 8
+_SMALLEST_ISLAND, _LARGEST_LEAST = 8, 150
 #: Changes up to this share of the voxels are left to exact moves; more than that goes through the field again.
 _LITTLE = 0.01
 _ROUNDS = 5
@@ -75,7 +75,7 @@ def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent, b
         Steps (z, y, x) that bars cover around their lines.
     """
     solid = solid.copy()
-    least = max(_SMALLEST_ISLAND, LEAST_ISLAND * np.count_nonzero(solid))
+    least = min(max(_SMALLEST_ISLAND, LEAST_ISLAND * np.count_nonzero(solid)), _LARGEST_LEAST)
     while True:
         labels, sizes = parts(solid)
         progress(0, 1, "islands")

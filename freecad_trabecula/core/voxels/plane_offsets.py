@@ -79,7 +79,7 @@ class _Ramp:
             g *= steepness
             g += np.float32(0.5)
             on_ramp = ((g > 0) & (g < 1)).view(np.uint8)
-            np.clip(g, 0.0, 1.0, out=g)
+            np.minimum(np.maximum(g, 0.0, out=g), 1.0, out=g)  # twice as fast as np.clip
             # multiples of 2^-18 below 2^9 times the plane's side: exact in float64 whatever the order
             rows = g.sum(2, dtype=np.float64)
             self.sums[0][here] = rows.sum(1)

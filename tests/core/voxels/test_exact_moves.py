@@ -6,7 +6,7 @@ import pytest
 
 from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.connectivity import Solid, closed_cavities, parts
-from freecad_trabecula.core.voxels.exact_moves import ExactMoves
+from freecad_trabecula.core.voxels.exact_moves import ExactMoves, ascending
 from freecad_trabecula.core.voxels.plane_offsets import FORBIDDEN, layer_sums
 from freecad_trabecula.errors import ExactnessError
 
@@ -89,3 +89,12 @@ def test_a_box_of_fewer_layers_than_are_tried_in_turn_ends_in_a_refusal():
     moves = ExactMoves(Solid(full), np.zeros(shape, np.float32), [np.zeros(3)] * 3, [np.full(3, 10)] * 3)
     with pytest.raises(ExactnessError, match="off by"):
         moves.run()
+
+
+@pytest.mark.parametrize("count", [0, 1, 1023, 5000, 16385, 40_000])
+def test_costs_are_gone_through_from_the_least_on_and_ties_in_their_order(count):
+    # many ties: 300 values; numpy's stable sort is the independent route
+    cost = np.floor(300 * Stream(count, "costs").many(count)).astype(np.float32)
+    chunks = list(ascending(cost))
+    assert np.array_equal(np.concatenate([np.arange(0), *chunks]), np.argsort(cost, kind="stable"))
+    assert all(len(chunk) == 1024 for chunk in chunks[:-1])

@@ -37,6 +37,14 @@ def test_many_islands_become_one_part():
     assert (joined & solid).sum() == solid.sum()
 
 
+def test_islands_of_two_hundred_voxels_are_joined_however_large_the_box_is():
+    solid = np.ones((100, 100, 100), bool)  # a share of 5e-4 would be 500 voxels
+    solid[:, :, 80:] = False
+    solid[40:46, 40:46, 90:96] = True
+    joined = one_part(solid, np.ones(solid.shape, bool))
+    assert len(parts(joined)[1]) == 2 and joined[42, 42, 92]
+
+
 def test_small_islands_are_dropped_and_cavities_filled():
     solid = np.zeros((12, 12, 12), bool)
     solid[1:8, 1:8, 1:8] = True
