@@ -2,8 +2,6 @@
 """Task panels that are closed by others while a worker is busy: with the dialog, the document, the object."""
 
 import itertools
-import sys
-import traceback
 
 import FreeCAD
 import FreeCADGui
@@ -27,15 +25,7 @@ class EndsTest(WindowTest):
 
     def setUp(self):
         super().setUp()
-        self.errors, self.name = [], self.document.Name
-        self._hook, sys.excepthook = sys.excepthook, self.note
-
-    def note(self, kind, error, trace):
-        self.errors.append("".join(traceback.format_exception(kind, error, trace)))
-
-    def tearDown(self):
-        sys.excepthook = self._hook
-        super().tearDown()
+        self.name = self.document.Name
 
     def assert_ended(self, panel):
         """The panel is closed, tells nothing more, and has left no process, no selection gate, nothing in the scene."""

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the window's tests share: waiting with the event loop running, keys and clicks, a clean end of each test."""
 
+import sys
 import time
+import traceback
 import unittest
 
 import FreeCAD
@@ -85,11 +87,17 @@ class WindowTest(unittest.TestCase):
         from freecad_trabecula.gui import transactions
 
         FreeCADGui.activateWorkbench(WORKBENCH)
-        self.dialogs = []
+        self.dialogs, self.errors = [], []
+        self._hook, sys.excepthook = sys.excepthook, self._note
         self._show_error = transactions.show_error
         transactions.show_error = self.dialogs.append
         self.document = FreeCAD.newDocument("Window")
         settle(0.1)
+
+    def _note(self, kind, error, trace):
+        """Keep what a slot raised, which Qt passes on to nobody."""
+        self.errors.append("".join(traceback.format_exception(kind, error, trace)))
+        self._hook(kind, error, trace)
 
     def tearDown(self):
         from freecad_trabecula.gui import panels, transactions
@@ -102,7 +110,9 @@ class WindowTest(unittest.TestCase):
         for name in list(FreeCAD.listDocuments()):
             FreeCAD.closeDocument(name)
         settle(0.1)
+        sys.excepthook = self._hook
         self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertEqual(self.errors, [])
 
     def open_preset(self, name="case1"):
         """Open the design panel with a preset and return it once the porosity is estimated."""
