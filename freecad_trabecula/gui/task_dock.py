@@ -2,11 +2,12 @@
 """Where FreeCAD's Tasks stand: since 1.0 they lie over the 3D view (an overlay), where our panels cover what they show.
 
 The first panel of ours lays them beside the view, behind the tree. That is done once: who lays them back keeps them so.
+There FreeCAD leaves the Tasks in front, empty, when a panel closes: the tree that was seen before comes back.
 """
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, List, Optional
 
 import FreeCAD
 import FreeCADGui
@@ -16,6 +17,7 @@ from .preferences import GROUP
 
 _TO_LAY = "LayTasksBesideView"  # beside the preferences: whether it is still to be done
 _WIDTH = 400  # pixels that our panels need
+_covered: List[str] = []  # name of the tree's dock, if it was seen before the panel that is open
 
 
 def _dock(name: str) -> Optional[Any]:
@@ -29,6 +31,24 @@ def _window() -> Any:
 def lies_over_view(dock: Any) -> bool:
     """Return whether a dock is one of FreeCAD's overlays: in no area, though it does not float."""
     return _window().dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea and not dock.isFloating()
+
+
+def note_tree() -> None:
+    """Note whether the tree is seen, which a panel is about to cover."""
+    tree = _dock("Model")
+    if tree is not None and not tree.visibleRegion().isEmpty():
+        _covered[:] = [tree.objectName()]
+
+
+def show_tree_again() -> None:
+    """Bring the tree before the Tasks again, if it was seen before a panel and none is open any more."""
+    if FreeCADGui.Control.activeDialog():
+        return  # the next panel of a row: its end counts
+    tasks = _dock("Tasks")
+    for tree in filter(None, map(_dock, _covered)):
+        if tasks in _window().tabifiedDockWidgets(tree):
+            tree.raise_()
+    _covered.clear()
 
 
 def lay_tasks_beside_view() -> None:

@@ -16,10 +16,11 @@ import FreeCADGui
 
 from ..features.relations import type_of, wireframe_of
 from .qt import Buttons, flags_of, invoke_later, is_alive, widen_dock
-from .task_dock import lay_tasks_beside_view
+from .task_dock import lay_tasks_beside_view, note_tree, show_tree_again
 from .transactions import say
 
 translate = FreeCAD.Qt.translate
+_PAUSE = 100  # ms after a panel's end in which the next one may open
 
 
 def is_free() -> bool:
@@ -97,6 +98,7 @@ class DocumentPanel:
             self.is_open = False
             FreeCAD.removeDocumentObserver(self)
             self.let_go(has_document)
+            invoke_later(show_tree_again, _PAUSE)
 
     def _form_destroyed(self, *_: Any) -> None:
         self._leave(self.document_name in FreeCAD.listDocuments())
@@ -136,6 +138,7 @@ def current() -> Any:
 def show_panel(panel: Any) -> None:
     """Open a task panel and remember it."""
     _panel[:] = [panel]
+    note_tree()
     FreeCADGui.Control.showDialog(panel)
     invoke_later(lay_tasks_beside_view, 200)  # once it is on the screen
 

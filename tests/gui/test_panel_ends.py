@@ -6,6 +6,7 @@ import itertools
 import FreeCAD
 import FreeCADGui
 import Part
+from PySide import QtCore, QtGui
 from window import WindowTest, settle, wait
 
 from freecad_trabecula import make
@@ -134,6 +135,55 @@ class DesignEndsTest(EndsTest):
         self.assertEqual((panel.is_open, panel.envelope, self.errors, self.dialogs), (True, None, [], []))
         panel.reject()
         self.assert_ended(panel)
+
+
+class TreeTest(EndsTest):
+    """Whether the tree or the Tasks are in front where one lies behind the other."""
+
+    def setUp(self):
+        super().setUp()
+        window = FreeCADGui.getMainWindow()
+        self.docks = {dock.objectName(): dock for dock in window.findChildren(QtGui.QDockWidget)}
+        if "Model" in self.docks:  # FreeCAD 1.x; before, both are pages of one dock, and FreeCAD brings the tree back
+            window.addDockWidget(QtCore.Qt.LeftDockWidgetArea, self.docks["Tasks"])
+            window.tabifyDockWidget(self.docks["Model"], self.docks["Tasks"])
+            self.docks["Tasks"].show()
+        self.turn_to("Model")
+
+    def turn_to(self, name):
+        if "Model" in self.docks:
+            self.docks[name].raise_()
+        settle(0.5)
+
+    def front(self):
+        if "Model" in self.docks:
+            return next(name for name in ("Model", "Tasks") if not self.docks[name].visibleRegion().isEmpty())
+        pages = self.docks["Combo View"].findChild(QtGui.QTabWidget)
+        return pages.tabText(pages.currentIndex())
+
+    def test_the_tree_comes_back_when_a_panel_and_the_next_have_closed(self):
+        self.assertEqual(self.front(), "Model")
+        wireframe = make.make_design(self.document, preset("case1"), ("network",)).wireframe
+        panels.open_results(self.document.Name, wireframe)
+        settle(0.5)
+        self.assertEqual(self.front(), "Tasks")
+        panels.current().reject()
+        panels.open_results(self.document.Name, wireframe)  # as after a build
+        settle(0.5)
+        self.assertEqual(self.front(), "Tasks")
+        panels.current().reject()
+        settle(0.5)
+        self.assertEqual(self.front(), "Model")
+
+    def test_tasks_that_were_in_front_before_stay_there(self):
+        if "Model" not in self.docks:
+            return  # FreeCAD 0.20 always turns to the tree
+        self.turn_to("Tasks")
+        panels.open_results(self.document.Name, make.make_design(self.document, preset("case1")).wireframe)
+        settle(0.5)
+        panels.current().reject()
+        settle(0.5)
+        self.assertEqual(self.front(), "Tasks")
 
 
 class BodyEndsTest(EndsTest):
