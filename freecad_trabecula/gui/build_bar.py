@@ -28,6 +28,8 @@ class BuildBar(QtGui.QWidget):
         Called by the two buttons.
     text, picture : str
         Of the first button.
+    leave : callable, optional
+        Called by a third button, while work goes on.
     """
 
     def __init__(
@@ -37,6 +39,7 @@ class BuildBar(QtGui.QWidget):
         cancel: Callable[[], None],
         text: str = translate("Trabecula", "Build"),
         picture: str = "Trabecula_scaffold",
+        leave: Optional[Callable[[], Any]] = None,
     ) -> None:
         super().__init__()
         self.boxes = {}
@@ -55,6 +58,11 @@ class BuildBar(QtGui.QWidget):
         self.cancel_button = self._button(translate("Trabecula", "Cancel"), "", cancel)
         self._work.layout().addWidget(self.bar, 1)
         self._work.layout().addWidget(self.cancel_button)
+        if leave is not None:
+            self.leave_button = self._button(translate("Trabecula", "In the background"), "", leave)
+            tip = translate("Trabecula", "Close the panel; the status bar shows how far it is and can end it")
+            self.leave_button.setToolTip(tip)
+            self._work.layout().addWidget(self.leave_button)
         self.what = QtGui.QLabel()
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -18,13 +18,24 @@ from ..features.relations import products_of, type_of
 from ..features.tasks import write_job_task
 from . import transactions
 from .child_work import ChildWork, Progress, start_task
+from .document_work import check_present
 from .install import PACKAGE
+from .notice import tell_of
 from .qt import invoke_later
-from .transactions import record
+from .recomputing import WorkBar, document_label
+from .transactions import record, told
 
 #: The design that is being written: a step to undo that another document opens meanwhile would cut this one in two.
 _open_writings: List[Any] = []
 _TURN = 50  # ms until a design that waits looks whether it is its turn
+
+
+_left: List[Building] = []  # those that go on without a panel
+
+
+def is_being_built(wireframe: Any) -> bool:
+    """Return whether a design is built for which no panel is open."""
+    return any(one.is_for(wireframe.Document.Name, wireframe.Name) for one in _left)
 
 
 class Target(NamedTuple):
@@ -74,7 +85,7 @@ class Building:
         kinds = self._kinds or ("wireframe",)
         self._work = start_task(
             lambda folder: write_job_task(folder, self._job, shape, kinds),
-            self._listener.progressed,
+            self._progress,
             self._take,
             self._fail,
         )
@@ -88,10 +99,51 @@ class Building:
             self._writing.cancel()
             self._writing = None
 
+    def leave_to_status_bar(self) -> bool:
+        """Go on without a panel: the status bar shows how far it is and can end it.
+
+        Returns
+        -------
+        bool
+            False if the design is being written already, which takes a moment.
+        """
+        if self._work is None:
+            return False
+        document = self._target.document
+
+        def end(is_good: bool) -> None:
+            bar.close_bar()
+            _left.remove(self)
+            tell_of(document, "", is_good)
+
+        def fail(error: TrabeculaError) -> None:
+            end(False)
+            with told():
+                raise error
+
+        def cancel() -> None:
+            self.cancel()
+            bar.close_bar()
+            _left.remove(self)
+
+        bar = WorkBar(cancel, document_label(document))
+        self._listener = Listener(bar.show_progress, lambda: end(True), fail)
+        _left.append(self)
+        bar.show_start()
+        return True
+
+    def is_for(self, document: str, wireframe: str) -> bool:
+        """Return whether it changes a design."""
+        return (self._target.document, self._target.wireframe) == (document, wireframe)
+
+    def _progress(self, progress: Progress) -> None:
+        self._listener.progressed(progress)
+
     def _take(self, folder: str) -> None:
         self._work = None
         try:
             make.take_results(folder)
+            check_present(self._target.document, (self._target.envelope, self._target.wireframe))
         except TrabeculaError as error:
             self._listener.failed(error)
             return

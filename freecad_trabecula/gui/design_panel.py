@@ -64,7 +64,7 @@ class DesignPanel(DocumentPanel):
             Callbacks(self._changed, self._take_preset, self._take_envelope, self._pick_faces, self._pick_origin)
         )
         self.outcome = Outcome(self._show_parts)
-        self.build_bar = BuildBar(self._kinds(), self.build, self.cancel)
+        self.build_bar = BuildBar(self._kinds(), self.build, self.cancel, leave=self.leave)
         self.form = self._make_form()
         self.preview = Preview(view_of(document))
         self.worker = PreviewWorker()
@@ -238,7 +238,13 @@ class DesignPanel(DocumentPanel):
     # ----------------------------------------------------------------------------------------------- task panel
 
     def accept(self) -> bool:
-        """Keep the design; bodies that it has already are brought up to date in another process first."""
+        """Keep the design; bodies that it has already are brought up to date in another process first.
+
+        While it is built the panel closes and the status bar takes over.
+        """
+        if self._building is not None:
+            self.leave()
+            return False
         kinds = [one.Proxy.KIND for one in products_of(self.wireframe)] if self.wireframe else []
         with told():
             job = self.fields.job()
@@ -246,8 +252,6 @@ class DesignPanel(DocumentPanel):
                 self._start(job, kinds)
                 return False
             # found at hand: the preview has computed it
-            if self._building is not None:
-                return False
             listener = Listener(lambda _: None, self._keep, self._not_built, self._clear_view.restore)
             self._building = Writing(self._target(), job, (), listener)
             self._building.start()
@@ -306,6 +310,12 @@ class DesignPanel(DocumentPanel):
         building.start(self.body.solid(job))
         self._building = building
         self._set_working(True)
+
+    def leave(self) -> None:
+        """Close the panel while the build goes on in the status bar."""
+        if isinstance(self._building, Building) and self._building.leave_to_status_bar():
+            self._building = None
+            self._keep()
 
     def cancel(self) -> None:
         """Stop building; the document is as it was."""

@@ -47,16 +47,21 @@ def open_new(document: Any, job: Optional[Job] = None, envelope: Any = None) -> 
             show_panel(DesignPanel(document, job or new_job(), envelope))
 
 
-def open_change(wireframe: Any) -> None:
-    """Open the design panel with the values of a design that is there."""
+def open_change(wireframe: Any) -> bool:
+    """Open the design panel with the values of a design that is there; return whether it is open."""
+    from .building import is_being_built
     from .design_form import IN_DOCUMENT
     from .design_panel import DesignPanel
 
-    if is_free():
+    if is_being_built(wireframe):
+        say(translate("Trabecula", "{} is being built: the status bar shows how far it is").format(wireframe.Label))
+    elif is_free():
         with told():
             scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
             job = job_of(wireframe, scaffold, IN_DOCUMENT)
             show_panel(DesignPanel(wireframe.Document, job, wireframe.Envelope, wireframe))
+            return True
+    return False
 
 
 def open_on_faces(document: Any, envelope: Any, faces: Sequence[str]) -> None:
@@ -72,8 +77,7 @@ def open_on_faces(document: Any, envelope: Any, faces: Sequence[str]) -> None:
 
 def open_and_build(wireframe: Any, kind: str) -> None:
     """Open the design panel of a design and build one kind of body at once."""
-    if wireframe is not None and is_free():
-        open_change(wireframe)
+    if wireframe is not None and open_change(wireframe):
         panel = current()
         for name, box in panel.build_bar.boxes.items():
             box.setChecked(box.isChecked() or name == kind)

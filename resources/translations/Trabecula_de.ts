@@ -9115,6 +9115,11 @@
         <translation>Zuerst das offene Aufgabenfenster schließen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>Close the panel; the status bar shows how far it is and can end it</source>
+        <translation>Das Panel schließen; die Statusleiste zeigt, wie weit es ist, und kann es beenden</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Closed cavities</source>
         <translation>Geschlossene Hohlräume</translation>
@@ -9533,6 +9538,11 @@
         <location filename="../../freecad_trabecula/gui/section_dock.py"/>
         <source>How the cut is filled</source>
         <translation>Wie der Anschnitt gefüllt wird</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>In the background</source>
+        <translation>Im Hintergrund</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
@@ -11495,6 +11505,11 @@
         <location filename="../../freecad_trabecula/gui/section_dock.py"/>
         <source>{} has too many triangles to be filled</source>
         <translation>{} hat zu viele Dreiecke, um gefüllt zu werden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/panels.py"/>
+        <source>{} is being built: the status bar shows how far it is</source>
+        <translation>{} wird gerade gebaut: die Statusleiste zeigt, wie weit es ist</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/notice.py"/>

@@ -9115,6 +9115,11 @@
         <translation>Chiudere prima il pannello aperto</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>Close the panel; the status bar shows how far it is and can end it</source>
+        <translation>Chiude il pannello; la barra di stato mostra l'avanzamento e può interromperlo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
         <source>Closed cavities</source>
         <translation>Cavità chiuse</translation>
@@ -9533,6 +9538,11 @@
         <location filename="../../freecad_trabecula/gui/section_dock.py"/>
         <source>How the cut is filled</source>
         <translation>Come si riempie il taglio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/build_bar.py"/>
+        <source>In the background</source>
+        <translation>In secondo piano</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/install.py"/>
@@ -11495,6 +11505,11 @@
         <location filename="../../freecad_trabecula/gui/section_dock.py"/>
         <source>{} has too many triangles to be filled</source>
         <translation>{} ha troppi triangoli per essere riempito</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/panels.py"/>
+        <source>{} is being built: the status bar shows how far it is</source>
+        <translation>{} è in costruzione: la barra di stato mostra l'avanzamento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/notice.py"/>

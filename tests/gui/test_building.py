@@ -7,10 +7,13 @@ import FreeCAD
 import FreeCADGui
 from window import Heartbeat, WindowTest, settle, wait
 
+from freecad_trabecula import make
 from freecad_trabecula.core.parameters import Coupling
+from freecad_trabecula.core.presets import preset
 from freecad_trabecula.features import results
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.figures import checks_of
+from freecad_trabecula.gui.recomputing import WorkBar
 from freecad_trabecula.gui.results_panel import ResultsPanel
 from freecad_trabecula.gui.rod_commands import switch_view
 
@@ -19,6 +22,12 @@ def tick(panel, *kinds):
     """Choose the bodies to be built."""
     for kind, box in panel.build_bar.boxes.items():
         box.setChecked(kind in kinds)
+
+
+def bars():
+    """Return the bars of builds that were left to the status bar."""
+    found = FreeCADGui.getMainWindow().statusBar().findChildren(WorkBar)
+    return [bar for bar in found if bar.isVisible()]
 
 
 class BuildTest(WindowTest):
@@ -48,6 +57,70 @@ class BuildTest(WindowTest):
         FreeCAD.closeDocument(self.document.Name)
         self.assertTrue(wait(lambda: not FreeCADGui.Control.activeDialog(), 30))
         self.assertIsNone(panel._building)
+
+    def start_and_leave(self, name="case1"):
+        """Build a design of the thesis and leave it to the status bar; return the bar there."""
+        before = bars()
+        panel = self.open_preset(name)
+        tick(panel, "network", "scaffold")
+        panel.build()
+        self.assertTrue(wait(lambda: panel.build_bar.bar.value() > 0, 60))
+        panel.build_bar.leave_button.click()
+        settle(0.2)
+        self.assertFalse(panel.is_open or FreeCADGui.Control.activeDialog())
+        (bar,) = [one for one in bars() if one not in before]
+        return bar
+
+    def test_two_builds_left_to_the_status_bar_go_on_side_by_side_and_do_not_mix(self):
+        first = self.document
+        self.start_and_leave("case6")
+        second = FreeCAD.newDocument("Second")
+        self.start_and_leave("case1")
+        self.assertEqual((first.Objects, second.Objects, len(bars())), ([], [], 2))
+        self.assertTrue(wait(lambda: not bars(), 240))
+        settle(0.5)
+        layouts = []
+        for document in (first, second):
+            self.assertEqual(document.UndoNames, ["Design rods"])
+            network = document.getObject("Network")
+            self.assertTrue(network.isValid() and document.getObject("Scaffold").isValid())
+            layouts.append(network.Wireframe.PoreLayout)
+            document.undo()
+            self.assertEqual(document.Objects, [])
+        self.assertEqual(layouts, [preset("case6").pores.layout, preset("case1").pores.layout])
+        self.assertEqual(self.dialogs, [])
+
+    def test_ok_leaves_a_build_too_and_the_bar_of_the_status_bar_ends_it(self):
+        design = make.make_design(self.document, preset("case1"))
+        panels.open_change(design.wireframe)
+        panel = panels.current()
+        self.wait_for_estimate(panel)
+        panel.fields.seed.set_value(8)
+        tick(panel, "scaffold")
+        panel.build()
+        panel.accept()
+        self.assertFalse(panel.is_open)
+        self.assertFalse(panels.open_change(design.wireframe), "a design that is built is open to be changed")
+        (bar,) = bars()
+        bar.button.click()
+        settle(2.0)
+        self.assertEqual((bars(), design.wireframe.Seed, self.document.getObject("Scaffold")), ([], 1, None))
+        self.assertTrue(panels.open_change(design.wireframe))
+
+    def test_a_design_that_is_deleted_while_it_is_built_in_the_status_bar_is_told(self):
+        design = make.make_design(self.document, preset("case1"))
+        panels.open_change(design.wireframe)
+        panel = panels.current()
+        self.wait_for_estimate(panel)
+        tick(panel, "scaffold")
+        panel.build()
+        panel.accept()
+        self.document.removeObject(design.wireframe.Name)
+        self.assertTrue(wait(lambda: not bars(), 120))
+        settle(0.5)
+        self.assertEqual(
+            (self.dialogs, self.document.getObject("Scaffold")), (["Wireframe was deleted meanwhile"], None)
+        )
 
     def test_built_bodies_come_in_one_step_and_the_results_open(self):
         panel = self.open_preset("case1")
