@@ -81,11 +81,14 @@ class BuildTest(WindowTest):
         settle(0.5)
         layouts = []
         for document in (first, second):
-            self.assertEqual(document.UndoNames, ["Design rods"])
+            # FreeCAD marks a step of another document by an arrow in the one that is active
+            own = [name for name in document.UndoNames if not name.startswith("-> ")]
+            self.assertEqual(own, ["Design rods"])
             network = document.getObject("Network")
             self.assertTrue(network.isValid() and document.getObject("Scaffold").isValid())
             layouts.append(network.Wireframe.PoreLayout)
-            document.undo()
+            while document.UndoNames:
+                document.undo()
             self.assertEqual(document.Objects, [])
         self.assertEqual(layouts, [preset("case6").pores.layout, preset("case1").pores.layout])
         self.assertEqual(self.dialogs, [])
