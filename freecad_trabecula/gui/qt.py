@@ -7,6 +7,7 @@ Widgets come from ``PySide.QtGui`` everywhere: FreeCAD 0.20 has no ``PySide.QtWi
 from __future__ import annotations
 
 import re
+import weakref
 from pathlib import Path
 from typing import Any, Tuple
 
@@ -111,26 +112,30 @@ def quantity_box() -> Any:
     """
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     box.setProperty("unit", "mm")
-    line = box.findChild(QtGui.QLineEdit)
+    # weak: a wrapper that outlives its deleted widget would be taken for the next one at its place in memory
+    known = weakref.ref(box)
 
     def edited(*_: Any) -> None:
-        less = _shows_less(box)  # now: in a moment the box has taken what was typed
-        invoke_later(lambda: _mend_unit(line, less))
+        less = _shows_less(known())  # now: in a moment the box has taken what was typed
+        invoke_later(lambda: _mend_unit(known(), less))
 
-    line.textEdited.connect(edited)
+    box.findChild(QtGui.QLineEdit).textEdited.connect(edited)
     return box
 
 
 def _shows_less(box: Any) -> bool:
     """Whether the length of a box, before it is edited, is shown in a smaller unit than mm."""
+    if not is_alive(box):
+        return False
     quantity = FreeCAD.Units.Quantity(float(box.property("rawValue") or 0.0), FreeCAD.Units.Length)
     return bool(quantity.UserString.endswith(_LESS))
 
 
-def _mend_unit(line: Any, less: bool) -> None:
+def _mend_unit(box: Any, less: bool) -> None:
     """Write mm behind a number, and take it away before what is no number: a unit of the user's own, a formula."""
-    if not is_alive(line):
+    if not is_alive(box):
         return
+    line = box.findChild(QtGui.QLineEdit)
     text, place = line.text(), line.cursorPosition()
     own = _OWN_UNIT.fullmatch(text)
     if own or (less and _BARE.fullmatch(text)):
