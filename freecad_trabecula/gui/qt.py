@@ -111,6 +111,8 @@ def quantity_box() -> Any:
     of mm: the unit is written behind it as soon as it is typed.
     """
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+    while not is_alive(box):  # PySide2 gave the wrapper of a deleted box, of a panel that somebody still holds
+        box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     box.setProperty("unit", "mm")
     # weak: a wrapper that outlives its deleted widget would be taken for the next one at its place in memory
     known = weakref.ref(box)
