@@ -2439,6 +2439,11 @@
         <translation>nötig ist ein Entwurf mit seinem Gerüst, eine Analyse oder Voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>a design with these counts and rules exists, but was not found; another seed may do</source>
+        <translation>ein Entwurf mit diesen Anzahlen und Regeln existiert, wurde aber nicht gefunden; ein anderer Startwert hilft vielleicht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a direction must not be along the face's normal at the origin of its line, got ({}, {}, {})</source>
         <translation>eine Richtung darf am Ursprung ihrer Linie nicht entlang der Flächennormalen liegen, hier ({}, {}, {})</translation>

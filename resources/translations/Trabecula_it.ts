@@ -2439,6 +2439,11 @@
         <translation>servono un progetto col suo scaffold, un'analisi o dei voxel</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>a design with these counts and rules exists, but was not found; another seed may do</source>
+        <translation>un progetto con questi conteggi e queste regole esiste, ma non è stato trovato; forse un altro seme basta</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/geometry/coordinate_lines.py"/>
         <source>a direction must not be along the face's normal at the origin of its line, got ({}, {}, {})</source>
         <translation>una direzione non deve essere lungo la normale alla faccia nell'origine della sua linea, qui ({}, {}, {})</translation>

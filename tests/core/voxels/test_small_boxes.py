@@ -86,10 +86,11 @@ def test_what_is_not_decided_is_said_to_be_not_found(monkeypatch):
         of_box(DIAGONAL)
 
 
-def test_what_the_program_finds_is_taken(monkeypatch):
+def test_what_a_program_finds_is_told_and_not_taken_for_one_seed_must_give_one_design(monkeypatch):
     answer = np.array([[[True], [False]], [[False], [True]]])
     monkeypatch.setattr(small_boxes, "decided", lambda *_: Verdict(answer, (), True))
-    assert of_box(DIAGONAL) is answer
+    with pytest.raises(ExactnessError, match="exists, but was not found; another seed may do"):
+        of_box(DIAGONAL)
 
 
 def test_the_search_can_be_cancelled():
