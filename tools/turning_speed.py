@@ -37,6 +37,8 @@ def measure():
     view.viewIsometric()
     view.fitAll()
     blocks = obj.ViewObject.Proxy.blocks
+    while not blocks.is_whole:
+        QtGui.QApplication.processEvents()
     lines = ["%d voxels, mesh of %d triangles" % (obj.Voxels, obj.Mesh.CountFacets)]
     for name, part in (("merged", blocks.fine), ("while it turns", blocks.coarse)):
         count = sum(len(part.getChild(k).numVertices) for k in range(part.getNumChildren()))

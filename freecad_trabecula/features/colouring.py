@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Optional, Tuple
+from functools import partial
+from typing import Any, Callable, List, Optional, Tuple
 
 import FreeCAD
 import numpy as np
 
 from ..core.analysis.parameters import AXES
 from ..core.colours import Colouring, by_value
+from ..core.meshes import Mesh as CoreMesh
 from ..core.rod_colours import RECOVERY, ROD_COLOURINGS, failed_lines, rod_colouring
+from ..core.voxels.design import VoxelDesign as CoreVoxels
 from ..core.voxels.trabeculae import trabecula_counts
 from ..core.wireframe import Wireframe as CoreWireframe
 from ..errors import ParameterError
@@ -65,15 +68,30 @@ def colouring_of(obj: Any, by: str) -> Colouring:
     >>> colouring_of(network, "coupling").legend.entries[0].name
     'Face1 - Face2'
     """
+    return colouring_work(obj, by)()
+
+
+def colouring_work(obj: Any, by: str) -> Callable[[], Colouring]:
+    """Return what is left to compute for ``colouring_of``, which touches the document no more: for another thread.
+
+    Raises
+    ------
+    ParameterError
+        As ``colouring_of``.
+    """
     if by == PLAIN or by not in choices(obj):
         raise ParameterError(
             f"{obj.Label} can be coloured by one of {', '.join(choices(obj)[1:]) or '(none)'}, got {by!r}"
         )
     if is_a(obj, Network):
-        return _of_network(obj, by)
+        return partial(_of_rods, *_network_rods(obj), by)
     if is_a(obj, Wireframe):
-        return rod_colouring(_shown(obj), by).of(np.repeat(np.arange(len(_shown(obj))), 2))  # a path has two pieces
-    return _of_layers(obj, by)
+        return partial(_of_rods, _shown(obj), np.repeat(np.arange(len(_shown(obj))), 2), by)  # a path has two pieces
+    return _layers_work(obj, by)
+
+
+def _of_rods(wireframe: CoreWireframe, rods: np.ndarray, by: str) -> Colouring:
+    return rod_colouring(wireframe, by).of(rods)
 
 
 def missing_of(obj: Any, by: str) -> np.ndarray:
@@ -92,7 +110,8 @@ def _shown(obj: Any) -> CoreWireframe:
     return found.wireframe
 
 
-def _of_network(obj: Any, by: str) -> Colouring:
+def _network_rods(obj: Any) -> Tuple[CoreWireframe, np.ndarray]:
+    """The wireframe of a network, and the number of the rod of each of its faces."""
     wireframe = _shown(obj.Wireframe)
     numbers = {name: k for k, name in enumerate(wireframe.names)}
     missing = [name for name in obj.RodNames if name not in numbers]
@@ -100,35 +119,41 @@ def _of_network(obj: Any, by: str) -> Colouring:
         raise ParameterError(f"{obj.Label} must show the rods of {obj.Wireframe.Label}, got {missing[0]}: update it")
     rods = [numbers[name] for name in obj.RodNames]
     faces = [len(solid.Faces) for solid in obj.Shape.Solids]
-    return rod_colouring(wireframe, by).of(np.repeat(np.array(rods, int), faces))
+    return wireframe, np.repeat(np.array(rods, int), faces)
 
 
 # ---------------------------------------------------------------------------------------------------------- layers
 
 
-def _of_layers(obj: Any, by: str) -> Colouring:
-    """Triangles of a mesh by the number of the layer in which they lie."""
+def _layers_work(obj: Any, by: str) -> Callable[[], Colouring]:
     quantity, _, axis = by.partition(" along ")
     place = AXES.index(axis)
     is_voxels = is_a(obj, VoxelDesign)
-    edges, values = _voxel_layers(obj, quantity, place) if is_voxels else _analysed_slices(obj, axis)
+    if is_voxels:
+        layers = partial(_voxel_layers, voxel_design_of(obj), quantity, place)
+    else:
+        found = _analysed_slices(obj, axis)
+        layers = lambda: found  # noqa: E731  at hand already
     mesh = obj.Mesh
     if is_voxels and not mesh.Placement.isIdentity():  # wherever the design was moved, its layers went with it
         mesh = mesh.copy()
         mesh.Placement = FreeCAD.Placement()
-    corners = core_mesh(mesh)
-    corners = corners.vertices[corners.triangles].astype(np.float32)
+    return partial(_of_layers, core_mesh(mesh), layers, place, by)
+
+
+def _of_layers(mesh: CoreMesh, layers: Callable[[], Tuple[np.ndarray, np.ndarray]], place: int, by: str) -> Colouring:
+    """Triangles of a mesh by the number of the layer, of those with some edges and values, in which they lie."""
+    edges, values = layers()
+    corners = mesh.vertices[mesh.triangles].astype(np.float32)
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals = across[:, place] / np.maximum(np.linalg.norm(across, axis=1), 1e-30)
     middles = corners[:, :, place].mean(1) - _INWARDS * (edges[1] - edges[0]) * normals
-    layers = np.clip(np.searchsorted(edges, middles, "right") - 1, 0, len(values) - 1)
-    colouring = by_value(values, by, "%" if quantity == "porosity" else "")
-    return colouring.of(layers)
+    numbers = np.clip(np.searchsorted(edges, middles, "right") - 1, 0, len(values) - 1)
+    return by_value(values, by, "%" if by in _POROSITY else "").of(numbers)
 
 
-def _voxel_layers(obj: Any, quantity: str, place: int) -> Tuple[np.ndarray, np.ndarray]:
+def _voxel_layers(design: CoreVoxels, quantity: str, place: int) -> Tuple[np.ndarray, np.ndarray]:
     """Edges (S + 1,), mm, of the layers of a voxel design along an axis, and their values (S,)."""
-    design = voxel_design_of(obj)
     voxels, others = design.voxels, tuple(k for k in range(3) if k != 2 - place)
     if quantity == "trabeculae":
         values = trabecula_counts(voxels)[place].astype(float)

@@ -26,6 +26,7 @@ from ..core.html_report.sections import (
 )
 from ..core.job import Job
 from ..core.language import ENGLISH, Language, Words
+from ..core.progress import Progress, silent
 from ..core.report import BodyFigures, Outcome, report_record
 from ..core.stl import whole_file
 from ..core.voxels.report import design_record
@@ -34,6 +35,7 @@ from ..geometry.versions import versions
 from .analysis import Analysis, analysis_of
 from .feature import is_a
 from .jobs import job_of
+from .packing import read_value, write_value
 from .relations import products_of
 from .scaffold import Scaffold
 from .second_routes import checks_of
@@ -44,11 +46,34 @@ _PACKAGES = ("scipy", "manifold3d", "matplotlib")
 Pictures = Mapping[str, Sequence[Picture]]
 
 
-class Told(NamedTuple):
-    """Sections of a report, and what could not be told."""
+_FACTS, _RECORDS = "report.facts", "report.records"
 
-    sections: Tuple[Section, ...]
+
+class Fact(NamedTuple):
+    """What one object holds: kind of its section, its label, an ``Outcome``, an analysis or a voxel design, numbers."""
+
+    kind: str
+    name: str
+    value: Any
+    more: Mapping[str, Any] = {}
+
+
+class Facts(NamedTuple):
+    """What a document holds to be told of, what cannot be told, and the report's title.
+
+    Attributes
+    ----------
+    facts : tuple of Fact
+    objects : tuple of str
+        Names of the objects that hold them.
+    notes : tuple of str
+    title : str
+    """
+
+    facts: Tuple[Fact, ...]
+    objects: Tuple[str, ...]
     notes: Tuple[str, ...]
+    title: str
 
 
 def write_report(
@@ -91,41 +116,98 @@ def write_report(
     >>> "Analysis Envelope" in open(path, encoding="utf-8").read()
     True
     """
-    told = sections_of(document, pictures, language.words)
-    page = report_page(told.sections, title or document.Label, told.notes, language)
-    with whole_file(path) as file:
-        file.write(page.encode("utf-8"))
-    return told.notes
+    found = facts_of(document, title)
+    return write_page(found, records_of(found), path, pictures, language)
 
 
-def sections_of(document: FreeCAD.Document, pictures: Optional[Pictures] = None, words: Words = str) -> Told:
-    """Return the sections of a document's report, and what could not be told: objects in error, designs not built.
+def facts_of(document: FreeCAD.Document, title: str = "") -> Facts:
+    """Return what a document's report is made of, quick to gather; objects in error and designs not built are noted.
 
     Raises
     ------
     ParameterError
-        If there is none.
+        If there is nothing to tell.
     """
-    sections: List[Section] = []
+    facts: List[Fact] = []
+    names: List[str] = []
     notes: List[str] = []
     for obj in document.Objects:
-        for cls, make in _MAKERS.items():
+        for cls, gather in _GATHERERS.items():
             if is_a(obj, cls):
                 try:
-                    sections.append(make(obj, tuple((pictures or {}).get(obj.Name, ())), words))
+                    facts.append(gather(obj))
+                    names.append(obj.Name)
                 except TrabeculaError as error:
                     notes.append(f"{obj.Label}: {error}")
-    sections += _comparison(document)
-    if not sections:
+    if not facts:
         reason = "; ".join(notes) or "a design with its scaffold, an analysis or voxels are needed"
         raise ParameterError(f"a report must have something to tell, got nothing in {document.Label}: {reason}")
-    return Told(tuple(sections), tuple(notes))
+    return Facts(tuple(facts), tuple(names), tuple(notes), title or document.Label)
+
+
+def records_of(found: Facts, progress: Progress = silent) -> List[Dict[str, Any]]:
+    """Return the records of the sections: of each fact, then of the analyses' comparison, if they have one."""
+    records = []
+    for done, fact in enumerate(found.facts):
+        progress(done, len(found.facts) + 1, "writing the report")
+        records.append(_RECORD_MAKERS[fact.kind](fact))
+    progress(len(found.facts), len(found.facts) + 1, "writing the report")
+    return records + _comparison([fact for fact in found.facts if fact.kind == ANALYSIS])
+
+
+def write_page(
+    found: Facts,
+    records: Sequence[Mapping[str, Any]],
+    path: Union[str, Path],
+    pictures: Optional[Pictures] = None,
+    language: Language = ENGLISH,
+) -> Sequence[str]:
+    """Write the report of what a document holds, and of the records of that; arguments are those of ``write_report``.
+
+    Raises
+    ------
+    ExportError
+        If the file cannot be written.
+    """
+    sections = []
+    for fact, name, record in zip(found.facts, found.objects, records):
+        shown = tuple((pictures or {}).get(name, ()))
+        sections.append(Section(fact.kind, record, shown, _charts(fact, record, language.words)))
+    sections += [Section(COMPARISON, record) for record in records[len(found.facts) :]]
+    page = report_page(sections, found.title, found.notes, language)
+    with whole_file(path) as file:
+        file.write(page.encode("utf-8"))
+    return found.notes
+
+
+def _charts(fact: Fact, record: Mapping[str, Any], words: Words) -> Tuple[str, ...]:
+    if fact.kind == DESIGN:
+        return tuple(design_charts(record, words))
+    return tuple(analysis_charts(fact.value, words)) if fact.kind == ANALYSIS else ()
+
+
+# -------------------------------------------------------------------------------------------- for another process
+
+
+def write_facts(folder: Path, found: Facts) -> None:
+    """Write what another process needs to make the records of a report."""
+    write_value(found, folder / _FACTS)
+
+
+def run_records(folder: Path, progress: Progress = silent) -> None:
+    """Make the records of the facts that ``write_facts`` wrote."""
+    write_value(records_of(read_value(folder / _FACTS), progress), folder / _RECORDS)
+
+
+def read_records(folder: str) -> List[Dict[str, Any]]:
+    """Return the records that ``run_records`` made."""
+    return read_value(Path(folder) / _RECORDS)
 
 
 # ---------------------------------------------------------------------------------------------------- the sections
 
 
-def _design(wireframe: Any, pictures: Tuple[Picture, ...], words: Words) -> Section:
+def _design(wireframe: Any) -> Fact:
     scaffold = next((one for one in products_of(wireframe) if is_a(one, Scaffold) and one.EngineUsed), None)
     if scaffold is None:
         raise ParameterError("a design must have its scaffold to be told of: build it first")
@@ -140,8 +222,11 @@ def _design(wireframe: Any, pictures: Tuple[Picture, ...], words: Words) -> Sect
         versions(*_PACKAGES),
         tuple(wireframe.Warnings),
     )
-    record = dict(report_record(outcome), name=wireframe.Label)
-    return Section(DESIGN, record, pictures, tuple(design_charts(record, words)))
+    return Fact(DESIGN, wireframe.Label, outcome)
+
+
+def _design_record(fact: Fact) -> Dict[str, Any]:
+    return dict(report_record(fact.value), name=fact.name)
 
 
 def _job(wireframe: Any, scaffold: Any) -> Job:
@@ -175,39 +260,43 @@ def _body_figures(scaffold: Any) -> BodyFigures:
     )
 
 
-def _analysis(obj: Any, pictures: Tuple[Picture, ...], words: Words) -> Section:
-    analysis = analysis_of(obj)
-    record = dict(analysis_record(analysis, versions=versions(*_PACKAGES)), name=obj.Label)
-    return Section(ANALYSIS, record, pictures, tuple(analysis_charts(analysis, words)))
+def _analysis(obj: Any) -> Fact:
+    return Fact(ANALYSIS, obj.Label, analysis_of(obj))
 
 
-def _voxels(obj: Any, pictures: Tuple[Picture, ...], words: Words) -> Section:
-    design = voxel_design_of(obj)
-    record = design_record(design, obj.Label, obj.Seconds, versions=versions(*_PACKAGES))
-    volume = obj.MeshVolume.Value
-    record["mesh"] = {
+def _analysis_record(fact: Fact) -> Dict[str, Any]:
+    return dict(analysis_record(fact.value, versions=versions(*_PACKAGES)), name=fact.name)
+
+
+def _voxels(obj: Any) -> Fact:
+    design, volume = voxel_design_of(obj), obj.MeshVolume.Value
+    mesh = {
         "triangles": obj.Mesh.CountFacets,
         "volume_mm3": volume,
         "volume_error": volume / design.targets.volume - 1,
         "watertight": bool(obj.Watertight),
     }
-    return Section(VOXELS, record, pictures)
+    return Fact(VOXELS, obj.Label, design, {"seconds": obj.Seconds, "mesh": mesh})
 
 
-def _comparison(document: FreeCAD.Document) -> Sequence[Section]:
+def _voxel_record(fact: Fact) -> Dict[str, Any]:
+    record = design_record(fact.value, fact.name, fact.more["seconds"], versions=versions(*_PACKAGES))
+    return dict(record, mesh=fact.more["mesh"])
+
+
+def _comparison(facts: Sequence[Fact]) -> List[Dict[str, Any]]:
     """The analyses that share an axis with the first, side by side."""
-    objects = [obj for obj in document.Objects if is_a(obj, Analysis) and obj.ResultKey]
-    analyses = [(obj.Label, analysis_of(obj)) for obj in objects]
-    shared = [(name, one) for name, one in analyses if set(one.profiles) & set(analyses[0][1].profiles)]
-    if len(shared) < 2:
-        return ()
-    named = [replace(one, name=name) for name, one in shared]
+    named = [replace(one.value, name=one.name) for one in facts]
+    named = [one for one in named if set(one.profiles) & set(named[0].profiles)]
+    if len(named) < 2:
+        return []
     try:
         comparison = compare(named)
         scores = passport_record([passport(named[0], other) for other in named[1:]])
     except ParameterError:  # they share no whole layer
-        return ()
-    return [Section(COMPARISON, comparison_record(comparison, scores, versions=versions(*_PACKAGES)))]
+        return []
+    return [dict(comparison_record(comparison, scores, versions=versions(*_PACKAGES)))]
 
 
-_MAKERS: Dict[type, Any] = {Wireframe: _design, Analysis: _analysis, VoxelDesign: _voxels}
+_GATHERERS: Dict[type, Any] = {Wireframe: _design, Analysis: _analysis, VoxelDesign: _voxels}
+_RECORD_MAKERS = {DESIGN: _design_record, ANALYSIS: _analysis_record, VOXELS: _voxel_record}

@@ -32,6 +32,7 @@ from .feature import is_a
 from .jobs import job_of
 from .network import Network, rods_by_key, shown_rods
 from .packing import read_value, write_value
+from .report_sections import Facts, run_records, write_facts
 from .scaffold import Scaffold, cut, scaffold_key
 from .solid_scaffold import SolidScaffold, solid_key, solid_of
 from .variants import RAYS, rod_seeds, run_seeds, write_voxel_seeds
@@ -119,6 +120,12 @@ def write_saving_task(folder: str, objects: Sequence[Any], target: str, plots: s
     _write_record(Path(folder), {"saving": write_saving(Path(folder), objects, target, plots)})
 
 
+def write_report_task(folder: str, found: Facts) -> None:
+    """Write what another process needs for the records of a report; ``report_sections.read_records`` takes them."""
+    write_facts(Path(folder), found)
+    _write_record(Path(folder), {"report": True})
+
+
 def write_voxel_task(folder: str, inputs: VoxelInputs) -> None:
     """Write what another process needs to compute a voxel design of which no document has an object yet."""
     _write_record(Path(folder), {"voxels": write_voxel_inputs(Path(folder), inputs)})
@@ -174,6 +181,9 @@ def run_task(folder: str, progress: Progress = silent) -> None:
         return
     if "saving" in task:
         run_saving(place, task["saving"], progress)
+        return
+    if "report" in task:
+        run_records(place, progress)
         return
     if "example" in task:
         _run_example(place, task["example"], progress)

@@ -7,26 +7,31 @@ triangles are put into the scene anew when the document is opened.
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional
+from itertools import count
+from typing import Any, Dict, Iterator, Optional, Tuple
 
 import FreeCAD
 import numpy as np
 from pivy import coin
 
-from ..core.colours import Legend
+from ..core.colours import Colouring, Legend
 from ..errors import TrabeculaError
-from ..features.colouring import PLAIN, choices, colouring_of, missing_of
+from ..features.colouring import PLAIN, choices, colouring_work, missing_of
 from ..features.relations import type_of
+from .aside import compute_aside, filled_in_pieces, in_turns
 from .legend import LegendOverlay, Titled
 from .lost_rods import LostRods
 from .qt import invoke_later
 
 PROPERTY, _KEPT = "ColourBy", "PlainColour"
+LEAST_FACETS = 20_000  # of a mesh whose colours come piece by piece
 _overlays: Dict[str, LegendOverlay] = {}
 _legends: Dict[str, Dict[str, Legend]] = {}  # by names of document and object
 _lost: Dict[str, Dict[str, LostRods]] = {}
 _also: Dict[str, Titled] = {}  # a legend of something else, by the document's name
 _waiting: set = set()
+_wanted: Dict[Tuple[str, str], int] = {}  # the latest colouring of an object: others that were begun are not finished
+_numbers = count()
 
 
 def add_property(view: Any) -> None:
@@ -49,7 +54,7 @@ def is_coloured(obj: Any) -> bool:
 
 
 def colour(obj: Any) -> None:
-    """Colour an object by what its view property says, and show the legend.
+    """Colour an object by what its view property says, and show the legend; many triangles get theirs a little later.
 
     Raises
     ------
@@ -57,10 +62,18 @@ def colour(obj: Any) -> None:
         If it cannot be coloured by that; it is plain then.
     """
     view, found = obj.ViewObject, _legends.setdefault(obj.Document.Name, {})
-    was_coloured = found.pop(obj.Name, None) is not None
+    key = obj.Document.Name, obj.Name
+    was_coloured = key in _wanted
+    found.pop(obj.Name, None)
+    _waiting.discard(key)
+    _wanted[key] = number = next(_numbers)
     try:
         if is_coloured(obj):
-            colouring = colouring_of(obj, getattr(view, PROPERTY))
+            work = colouring_work(obj, getattr(view, PROPERTY))
+            if hasattr(obj, "Mesh") and obj.Mesh.CountFacets > LEAST_FACETS:
+                compute_aside(work, lambda colouring: in_turns(_coloured_in_pieces(key, number, colouring)))
+                return
+            colouring = work()
             _put(view, colouring.colours)
             found[obj.Name] = colouring.legend
             _take_lost(obj, missing_of(obj, getattr(view, PROPERTY)))
@@ -71,6 +84,25 @@ def colour(obj: Any) -> None:
         raise
     finally:
         show_legends(obj.Document.Name)
+
+
+def _coloured_in_pieces(key: Tuple[str, str], number: int, colouring: Colouring) -> Iterator[None]:
+    """Put the colours of many triangles into the scene; not if the object goes, or is wanted otherwise by then."""
+    document, name = key
+
+    def present() -> Any:
+        obj = FreeCAD.getDocument(document).getObject(name) if document in FreeCAD.listDocuments() else None
+        return obj if obj is not None and _wanted.get(key) == number else None
+
+    obj = present()
+    if obj is None or obj.Mesh.CountFacets != len(colouring.colours):
+        return
+    for _ in _triangles_in_pieces(obj.ViewObject, colouring.colours):
+        yield
+        if present() is None:
+            return
+    _legends.setdefault(document, {})[name] = colouring.legend
+    show_legends(document)
 
 
 def refresh(obj: Any) -> None:
@@ -95,6 +127,8 @@ def refresh_source(analysis: Any) -> None:
 
 
 def _refresh(document: str, name: str) -> None:
+    if (document, name) not in _waiting:
+        return  # it has been coloured since
     _waiting.discard((document, name))
     obj = FreeCAD.getDocument(document).getObject(name) if document in FreeCAD.listDocuments() else None
     if obj is None:
@@ -140,6 +174,8 @@ def show_legends(document: str) -> None:
 def _forget(document: str) -> None:
     for kept in (_overlays, _legends, _lost, _also):
         kept.pop(document, None)
+    for key in [one for one in _wanted if one[0] == document]:
+        del _wanted[key]
 
 
 # ------------------------------------------------------------------------------------------------ into the scene
@@ -187,21 +223,30 @@ def _fourth(view: Any) -> float:
 
 
 def _put_on_triangles(view: Any, colours: Optional[np.ndarray]) -> None:
+    """Give a mesh one colour, or each of its triangles its own, at once."""
+    if colours is not None:
+        for _ in _triangles_in_pieces(view, colours):
+            pass
+        return
+    material, binding = _looks_of_triangles(view)
+    if material is not None and binding is not None:
+        binding.value = coin.SoMaterialBinding.OVERALL
+        material.diffuseColor.setNum(1)
+        material.diffuseColor.setValue(*view.ShapeColor[:3])
+
+
+def _triangles_in_pieces(view: Any, colours: np.ndarray) -> Iterator[None]:
     """Triangles have no colours of their own in FreeCAD's meshes, but the scene knows how to draw them."""
-    material, binding = _first(view.RootNode, coin.SoMaterial), _first(view.RootNode, coin.SoMaterialBinding)
+    material, binding = _looks_of_triangles(view)
     if material is None or binding is None:
         return
-    if colours is None:
-        binding.value = coin.SoMaterialBinding.OVERALL
-        plain = view.ShapeColor[:3]
-        material.diffuseColor.setNum(1)
-        material.diffuseColor.setValue(*plain)
-        return
-    table, numbers = np.unique(colours, axis=0, return_inverse=True)
-    values = np.ascontiguousarray((table / 255.0)[numbers.reshape(-1)].astype(np.float32))
-    material.diffuseColor.setNum(len(values))
-    material.diffuseColor.setValues(0, len(values), values)
+    binding.value = coin.SoMaterialBinding.OVERALL  # until there is a colour for each
+    yield from filled_in_pieces(material.diffuseColor, colours / np.float32(255))
     binding.value = coin.SoMaterialBinding.PER_FACE
+
+
+def _looks_of_triangles(view: Any) -> Tuple[Any, Any]:
+    return _first(view.RootNode, coin.SoMaterial), _first(view.RootNode, coin.SoMaterialBinding)
 
 
 def _first(root: Any, kind: Any) -> Any:

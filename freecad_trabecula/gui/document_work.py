@@ -15,6 +15,7 @@ from ..features import results
 from ..features.relations import type_of
 from .child_work import ChildWork, start_task
 from .notice import tell_of
+from .qt import invoke_later
 from .recomputing import WorkBar, document_label
 from .transactions import record, told, transaction
 
@@ -85,6 +86,7 @@ class DocumentWork:
     ) -> None:
         self._order, self._progressed, self._done, self._failed = order, progressed, done, failed
         self._work: Optional[ChildWork] = None
+        self._is_taken = False  # the result has been read and not written yet
 
     def start(self) -> None:
         """Start the work; what is at hand already is written at once.
@@ -102,6 +104,7 @@ class DocumentWork:
 
     def cancel(self) -> None:
         """End the work; nothing has changed and nothing is heard of it any more."""
+        self._is_taken = False
         if self._work is not None:
             self._work.cancel()
             self._work = None
@@ -110,6 +113,17 @@ class DocumentWork:
         self._work = None
         try:
             make.take_results(folder)
+        except TrabeculaError as error:
+            self._failed(error)
+            return
+        self._is_taken = True
+        invoke_later(lambda: self._write())  # between reading and showing the window has its turn
+
+    def _write(self) -> None:
+        if not self._is_taken:
+            return  # cancelled meanwhile
+        self._is_taken = False
+        try:
             check_present(self._order.document, self._order.needed)
             self._done(self._order.write())
         except TrabeculaError as error:

@@ -10,8 +10,9 @@ import FreeCADGui
 
 from .. import make
 from ..features.tasks import write_example_task
+from .qt import invoke_later
 from .status_work import work_in_status_bar
-from .transactions import record, transaction
+from .transactions import record, told, transaction
 
 translate = FreeCAD.Qt.translate
 
@@ -31,12 +32,20 @@ def open_example(name: str, done: Callable[[Any], None]) -> None:
     TrabeculaError
         If the work cannot be started.
     """
-    work_in_status_bar(lambda folder: write_example_task(folder, name), lambda folder: done(_write(folder, name)))
+
+    def take(folder: str) -> None:
+        make.take_results(folder)
+        invoke_later(write)  # between reading and showing the window has its turn
+
+    def write() -> None:
+        with told():
+            done(_write(name))
+
+    work_in_status_bar(lambda folder: write_example_task(folder, name), take)
 
 
-def _write(folder: str, name: str) -> Any:
+def _write(name: str) -> Any:
     """Everything is at hand: the document's objects find it by the keys of their inputs."""
-    make.take_results(folder)
     record("import FreeCAD")
     record("from freecad_trabecula import make")
     record(f'document = FreeCAD.newDocument("Example_{name}")')

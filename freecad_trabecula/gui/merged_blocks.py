@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, Iterator, List, Sequence, Tuple
 
 import numpy as np
 from pivy import coin
@@ -11,14 +11,17 @@ from PySide import QtCore
 
 from .. import make
 from ..core.voxels.design import VoxelDesign
-from ..core.voxels.merged_faces import Rectangles, coarse_faces, merged_faces
+from ..core.voxels.merged_faces import Rectangles, coarse_faces, merged_faces, sampled_faces
 from ..errors import TrabeculaError
+from .aside import compute_aside, filled_in_pieces, in_turns
 
 MODE, PLAIN = "Merged blocks", "Shaded"
 LEAST_FACETS = 100_000  # of a mesh; smaller ones are drawn fast as they are
 _MOVING = 30_000  # rectangles at most while the camera moves: software draws them 20 times a second
 _REST = 350  # milliseconds after which a camera is taken to stand still
+_SAMPLED = 30  # blocks along the longest edge of what is shown at once
 _NORMALS = ((-1, 0, 0), (1, 0, 0), (0, -1, 0), (0, 1, 0), (0, 0, -1), (0, 0, 1))
+Side = Tuple[np.ndarray, Tuple[int, int, int]]  # corners (4 R, 3) of rectangles, mm, and where they face
 
 
 class MergedBlocks:
@@ -27,10 +30,16 @@ class MergedBlocks:
     Parameters
     ----------
     view : view provider of a voxel design
+
+    Attributes
+    ----------
+    is_whole : bool
+        Whether all of the design is shown, not a sample of it.
     """
 
     def __init__(self, view: Any) -> None:
         self._object, self._key, self._asked = view.Object, "", ""
+        self.is_whole = False
         self._cameras: Dict[Tuple[int, ...], Tuple[Any, ...]] = {}
         self.node, self.switch, self.material = coin.SoSeparator(), coin.SoSwitch(), coin.SoMaterial()
         self.fine, self.coarse = coin.SoSeparator(), coin.SoSeparator()
@@ -64,21 +73,36 @@ class MergedBlocks:
         self.material.transparency.setValue(view.Transparency / 100.0)
 
     def fill(self) -> None:
-        """Show the design as it is now."""
+        """Show the design as it is now: at once a coarse sample of it, and all of it when it has been computed."""
         if self._key == self._object.ResultKey:
             return
-        self._key = self._object.ResultKey
+        self._key = key = self._object.ResultKey
         try:
             design = make.voxel_design_of(self._object)
         except TrabeculaError:
             return  # there is none yet
-        fine = merged_faces(design.voxels)
-        is_light = len(fine.corners) <= _MOVING
-        coarse = fine if is_light else coarse_faces(design.voxels, _MOVING)
-        for place, rectangles in ((self.fine, fine), (self.coarse, coarse)):
-            place.removeAllChildren()
-            for shape in _shapes(rectangles, design):
-                place.addChild(shape)
+        self.is_whole = False
+        self.coarse.removeAllChildren()
+        self._show(self.fine, _shapes_at_once(_sides(sampled_faces(design.voxels, _SAMPLED), design)))
+        compute_aside(lambda: _all_sides(design), lambda found: in_turns(self._filled(found, key)))
+
+    def _filled(self, found: Sequence[Sequence[Side]], key: str) -> Iterator[None]:
+        """Make shapes piece by piece and show them when they are whole; not if another design is wanted by then."""
+        made: List[List[Any]] = [[], []]
+        for shapes, sides in zip(made, found):
+            for side in sides:
+                yield from _filled_shape(side, shapes)
+                if self._key != key:
+                    return
+        for place, shapes in zip((self.fine, self.coarse), made):
+            self._show(place, shapes)
+        self.is_whole = True
+
+    @staticmethod
+    def _show(place: Any, shapes: Sequence[Any]) -> None:
+        place.removeAllChildren()
+        for shape in shapes:
+            place.addChild(shape)
 
     # ----------------------------------------------------------------------------------------------- while it is drawn
 
@@ -108,23 +132,43 @@ class MergedBlocks:
         self.switch.touch()
 
 
-def _shapes(rectangles: Rectangles, design: VoxelDesign) -> List[Any]:
-    """A shape for each way that rectangles face."""
-    targets, shapes, start = design.targets, [], 0
+def _all_sides(design: VoxelDesign) -> Tuple[List[Side], List[Side]]:
+    """What is drawn at rest and while the camera moves; no part of the scene is touched."""
+    fine = merged_faces(design.voxels)
+    coarse = fine if len(fine.corners) <= _MOVING else coarse_faces(design.voxels, _MOVING)
+    return _sides(fine, design), _sides(coarse, design)
+
+
+def _sides(rectangles: Rectangles, design: VoxelDesign) -> List[Side]:
+    """The corners (4 R, 3) of rectangles, mm, and where they face; those of each way that there are."""
+    targets, sides, start = design.targets, [], 0
     for normal, count in zip(_NORMALS, rectangles.counts):
         corners = rectangles.corners[start : start + count].reshape(-1, 3)
         start += count
-        if not count:
-            continue
-        points = (corners * np.asarray(targets.voxel) + np.asarray(targets.origin)).astype(np.float32)
-        places, shape = coin.SoVertexProperty(), coin.SoFaceSet()
-        places.vertex.setValues(0, len(points), points)
-        # one normal for all is not sent with arrays of vertices: the shapes would be without shade
-        places.normal.setValues(0, len(points), np.tile(np.array(normal, np.float32), (len(points), 1)))
-        places.normalBinding = coin.SoVertexProperty.PER_VERTEX
-        shape.vertexProperty = places
-        shape.numVertices.setValues(0, count, np.full(count, 4, np.int32))
-        shapes.append(shape)
+        if count:
+            points = corners * np.asarray(targets.voxel) + np.asarray(targets.origin)
+            sides.append((points.astype(np.float32), normal))
+    return sides
+
+
+def _filled_shape(side: Side, shapes: List[Any]) -> Iterator[None]:
+    """Add the shape of one side to others, piece by piece."""
+    points, normal = side
+    places, shape = coin.SoVertexProperty(), coin.SoFaceSet()
+    yield from filled_in_pieces(places.vertex, points)
+    # one normal for all is not sent with arrays of vertices: the shapes would be without shade
+    yield from filled_in_pieces(places.normal, np.broadcast_to(np.array(normal, np.float32), points.shape))
+    places.normalBinding = coin.SoVertexProperty.PER_VERTEX
+    shape.vertexProperty = places
+    yield from filled_in_pieces(shape.numVertices, np.full(len(points) // 4, 4))
+    shapes.append(shape)
+
+
+def _shapes_at_once(sides: Sequence[Side]) -> List[Any]:
+    shapes: List[Any] = []
+    for side in sides:
+        for _ in _filled_shape(side, shapes):
+            pass
     return shapes
 
 

@@ -6,21 +6,25 @@ from __future__ import annotations
 import os
 import tempfile
 from pathlib import Path
-from typing import Any, Dict, List, Sequence
+from typing import Any, Dict, Iterator, List, Sequence
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from .. import make
 from ..core.html_report.sections import Picture
 from ..core.language import Language
 from ..features.relations import products_of, type_of
+from ..features.report_sections import Facts, facts_of, read_records, write_page
+from ..features.tasks import write_report_task
+from .aside import in_turns
 from .language import choice, in_words, language
-from .transactions import say
+from .status_work import work_in_status_bar
+from .transactions import say, told
 
 translate = FreeCAD.Qt.translate
 _SIZE = (720, 560)  # pixels
+_END = object()
 _PAGES = "HTML (*.html)"
 
 
@@ -37,15 +41,34 @@ def ask_and_write(document: Any) -> None:
 def write(document: Any, path: str) -> None:
     """Write the report of a document and open it in the browser; what could not be told is said.
 
-    Raises
-    ------
-    TrabeculaError
-        If there is nothing to tell, or the file cannot be written.
+    Its views are taken first, one in each turn of the event loop; another process works out its numbers.
     """
-    notes = make.write_report(document, path, pictures=views_of(document), language=Language(language(), report_words))
+    pictures: Dict[str, List[Picture]] = {}
+    name = document.Name
+
+    def steps() -> Iterator[None]:
+        yield from views_in_turns(document, pictures)
+        with told():
+            found = facts_of(document)
+            work_in_status_bar(
+                lambda folder: write_report_task(folder, found),
+                lambda folder: _write_page(found, read_records(folder), path, pictures),
+            )
+
+    in_turns(_while_open(name, steps()), 0.0)
+
+
+def _write_page(found: Facts, records: Sequence[Any], path: str, pictures: Dict[str, List[Picture]]) -> None:
+    notes = write_page(found, records, path, pictures, Language(language(), report_words))
     text = translate("Trabecula", "{} was written").format(path)
     say(text + "".join(f"; {in_words(note)}" for note in notes))
     QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path))
+
+
+def _while_open(name: str, steps: Iterator[None]) -> Iterator[None]:
+    """The steps, as long as a document is open."""
+    while name in FreeCAD.listDocuments() and next(steps, _END) is not _END:
+        yield
 
 
 def report_words(text: str) -> str:
@@ -54,29 +77,37 @@ def report_words(text: str) -> str:
     return in_words(text) if shown == text else shown
 
 
-def views_of(document: Any) -> Dict[str, Sequence[Picture]]:
-    """Return views of a document's bodies from a corner, by the name of the object of whose section they are."""
-    views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
-    if not views:
-        return {}
-    found: Dict[str, List[Picture]] = {}
-    view, shown = views[0], {one.Name: one.ViewObject.Visibility for one in document.Objects}
-    camera = view.getCamera()
+def views_in_turns(document: Any, found: Dict[str, List[Picture]]) -> Iterator[None]:
+    """Take views of a document's bodies from a corner, one after the other; between two of them all is as it was.
+
+    Parameters
+    ----------
+    document : App.Document
+    found : dict
+        Takes the views, by the name of the object of whose section they are.
+    """
+    for owner, body in _bodies(document):
+        views = FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")
+        if views:
+            found.setdefault(owner.Name, []).append(_view_of(document, views[0], body))
+            yield
+
+
+def _view_of(document: Any, view: Any, body: Any) -> Picture:
+    camera, shown = view.getCamera(), [(one, one.ViewObject.Visibility) for one in document.Objects]
     with tempfile.TemporaryDirectory() as folder:
         try:
-            for owner, body in _bodies(document):
-                for one in document.Objects:
-                    one.ViewObject.Visibility = one is body or one.Name == body.Name
-                view.viewIsometric()
-                view.fitAll()
-                path = Path(folder) / "view.png"
-                view.saveImage(str(path), *_SIZE, "White")
-                found.setdefault(owner.Name, []).append(Picture(body.Label, "image/png", path.read_bytes()))
+            for one, _ in shown:
+                one.ViewObject.Visibility = one is body or one.Name == body.Name
+            view.viewIsometric()
+            view.fitAll()
+            path = Path(folder) / "view.png"
+            view.saveImage(str(path), *_SIZE, "White")
+            return Picture(body.Label, "image/png", path.read_bytes())
         finally:
-            for name, visible in shown.items():
-                document.getObject(name).ViewObject.Visibility = visible
+            for one, visible in shown:
+                one.ViewObject.Visibility = visible
             view.setCamera(camera)
-    return found
 
 
 def _bodies(document: Any) -> Sequence[Any]:

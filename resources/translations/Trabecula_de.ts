@@ -7708,6 +7708,11 @@
         <translation>Schichten werden geschrieben</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>writing the report</source>
+        <translation>der Bericht wird geschrieben</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>writing the tables of {}</source>
         <translation>die Tabellen von {} werden geschrieben</translation>

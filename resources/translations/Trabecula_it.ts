@@ -7708,6 +7708,11 @@
         <translation>scrittura degli strati</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/report_sections.py"/>
+        <source>writing the report</source>
+        <translation>scrittura del rapporto</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/folder.py"/>
         <source>writing the tables of {}</source>
         <translation>scrittura delle tabelle di {}</translation>

@@ -11,9 +11,11 @@ from document_case import NO_BOOLEANS, DocumentCase, small_job
 from freecad_trabecula import make
 from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.booleans import manifold_available
+from freecad_trabecula.core.html_report.sections import Picture
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.errors import ExportError, ParameterError
 from freecad_trabecula.features import report_sections
+from freecad_trabecula.features.tasks import write_report_task
 
 HALF = SliceParameters(thickness=0.5)
 
@@ -25,6 +27,11 @@ class ReportCase(DocumentCase):
             notes = make.write_report(self.document, path)
             with open(path, encoding="utf-8") as file:
                 return file.read(), notes
+
+    def bracket(self):
+        bracket = self.document.addObject("Part::Feature", "Bracket")
+        bracket.Shape = make.make_box(self.document, 4, 4, 4).Shape.cut(make.make_box(self.document, 2, 2, 4).Shape)
+        return bracket
 
     @unittest.skipUnless(manifold_available(), NO_BOOLEANS)
     def test_it_tells_of_design_analyses_and_comparison_without_computing_again(self):
@@ -52,11 +59,34 @@ class ReportCase(DocumentCase):
         self.assertIn("must have its scaffold", page)
 
     def test_voxels_are_told_with_the_volume_of_their_mesh(self):
-        bracket = self.document.addObject("Part::Feature", "Bracket")
-        bracket.Shape = make.make_box(self.document, 4, 4, 4).Shape.cut(make.make_box(self.document, 2, 2, 4).Shape)
-        make.make_voxel_design(self.document, bracket, VoxelParameters(size=(0.5, 0.5, 0.5)))
+        make.make_voxel_design(self.document, self.bracket(), VoxelParameters(size=(0.5, 0.5, 0.5)))
         page, _ = self.page()
         self.assertIn("volume of the mesh and of the voxels, mm³: 48 against 48", page)
+
+    def test_another_process_makes_the_same_records(self):
+        """Of a design without scaffold, analyses with their comparison, voxels: all that is handed over as files."""
+        make.make_design(self.document, small_job())
+        box = make.make_box(self.document, 4, 4, 4)
+        for parameters in (HALF, SliceParameters(thickness=1.0)):
+            make.make_analysis(self.document, box, parameters)
+        design = make.make_voxel_design(self.document, self.bracket(), VoxelParameters(size=(0.5, 0.5, 0.5)))
+        pictures, told = {design.Name: (Picture("View", "image/png", bytes(range(256))),)}, []
+        found = report_sections.facts_of(self.document)
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [os.path.join(folder, name) for name in ("here.html", "there.html")]
+            notes = make.write_report(self.document, paths[0], pictures=pictures)
+            write_report_task(folder, found)
+            make.run_task(folder, lambda done, total, what: told.append(done / total))
+            again = report_sections.write_page(found, report_sections.read_records(folder), paths[1], pictures)
+            pages = []
+            for path in paths:
+                with open(path, encoding="utf-8") as file:
+                    pages.append(file.read())
+        self.assertEqual((len(notes), again), (1, notes))
+        self.assertEqual(*pages)
+        self.assertIn("Comparison: ", pages[0])
+        self.assertIn(pictures[design.Name][0].address, pages[1])
+        self.assertEqual((told, told[0]), (sorted(told), 0.0))
 
     def test_an_empty_document_is_refused_and_no_file_is_left(self):
         with tempfile.TemporaryDirectory() as folder:

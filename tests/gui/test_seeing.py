@@ -13,7 +13,7 @@ import numpy as np
 import Part
 from pivy import coin
 from PySide import QtGui
-from window import WindowTest, settle
+from window import WindowTest, settle, wait
 
 from freecad_trabecula import make
 from freecad_trabecula.core import recovery
@@ -268,6 +268,28 @@ class LayerColourTest(WindowTest):
         colour = np.array(material.diffuseColor[0].getValue())
         self.assertLess(abs(colour - (0.93, 0.85, 0.68)).max(), 3e-3)
 
+    def test_many_triangles_get_the_same_colours_piece_by_piece_while_the_window_answers(self):
+        few, material = colouring.LEAST_FACETS, node_of(self.design.ViewObject.RootNode, coin.SoMaterial)
+        self.design.ViewObject.ColourBy = "trabeculae along z"
+        settle(0.1)
+        wanted = [material.diffuseColor[k].getValue() for k in range(material.diffuseColor.getNum())]
+        legends = colouring.legends_of(self.document.Name)
+        self.design.ViewObject.ColourBy = "porosity along z"
+        settle(0.1)
+        try:
+            colouring.LEAST_FACETS = 0
+            self.design.ViewObject.ColourBy = "trabeculae along z"
+            self.assertTrue(wait(lambda: colouring.legends_of(self.document.Name) == legends, 10))
+            self.assertEqual([material.diffuseColor[k].getValue() for k in range(len(wanted))], wanted)
+            self.design.ViewObject.ColourBy = "porosity along x"
+            colouring.colour(self.design)  # on its way
+            self.design.ViewObject.ColourBy = "plain"
+            settle(1.0)
+            self.assertEqual(material.diffuseColor.getNum(), 1)
+            self.assertEqual(colouring.legends_of(self.document.Name), ())
+        finally:
+            colouring.LEAST_FACETS = few
+
     def test_a_scaffold_without_an_analysis_is_refused_and_with_one_coloured(self):
         design = make.make_design(self.document, preset("case1"))
         scaffold = make.make_scaffold(design.wireframe)
@@ -278,7 +300,7 @@ class LayerColourTest(WindowTest):
         self.assertEqual((scaffold.ViewObject.ColourBy, colouring.legends_of(self.document.Name)), ("plain", ()))
         make.make_analysis(self.document, scaffold)
         FreeCADGui.runCommand("Trabecula_Colour_porosity_z")
-        settle(0.1)
+        self.assertTrue(wait(lambda: colouring.legends_of(self.document.Name), 20))  # many triangles come later
         self.assertEqual(len(self.dialogs), 1)
         (legend,) = colouring.legends_of(self.document.Name)
         self.assertEqual(legend.name, scaffold.Label)

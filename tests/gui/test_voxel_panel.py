@@ -214,8 +214,31 @@ class MergedBlocksTest(VoxelCase):
         view = FreeCADGui.activeDocument().activeView()
         view.viewIsometric()
         view.fitAll()
+        if surface == "blocks":
+            self.assertTrue(wait(lambda: obj.ViewObject.Proxy.blocks.is_whole, 30))
         settle(1.0)
         return obj, view
+
+    def test_a_sample_of_the_blocks_is_seen_until_all_have_been_computed(self):
+        thirds = ((0.5, 0.3),)
+        chosen = VoxelParameters(size=(0.1, 0.1, 0.1), strategy="random-layers")
+        obj = make.make_voxel_design(self.document, DrawnCurves((5.0, 5.0, 5.0), thirds, thirds, thirds), chosen)
+        blocks = obj.ViewObject.Proxy.blocks
+        self.assertFalse(blocks.is_whole)
+        few = sum(len(one.numVertices) for one in _shapes_of(blocks.fine))
+        self.assertGreater(few, 6)
+        self.assertEqual(blocks.coarse.getNumChildren(), 0)
+        self.assertTrue(wait(lambda: blocks.is_whole, 30))
+        self.assertGreater(sum(len(one.numVertices) for one in _shapes_of(blocks.fine)), few)
+        self.assertEqual(blocks.coarse.getNumChildren(), 6)
+
+    def test_a_design_that_is_closed_while_its_blocks_are_computed_leaves_no_trace(self):
+        thirds = ((0.5, 0.3),)
+        chosen = VoxelParameters(size=(0.1, 0.1, 0.1), strategy="random-layers")
+        make.make_voxel_design(self.document, DrawnCurves((5.0, 5.0, 5.0), thirds, thirds, thirds), chosen)
+        FreeCAD.closeDocument(self.document.Name)
+        settle(2.0)  # a traceback in the log would fail the file
+        self.document = FreeCAD.newDocument("Next")
 
     def test_many_blocks_are_drawn_merged_and_coarser_while_the_camera_moves(self):
         obj, view = self.design()

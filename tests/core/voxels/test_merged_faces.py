@@ -8,7 +8,7 @@ import pytest
 
 from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.blocks import block_mesh
-from freecad_trabecula.core.voxels.merged_faces import coarse_faces, merged_faces
+from freecad_trabecula.core.voxels.merged_faces import coarse_faces, merged_faces, sampled_faces
 
 STEPS = ((0, 0, -1), (0, 0, 1), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0))  # z, y, x of -X, +X, -Y ...
 
@@ -66,3 +66,13 @@ def test_coarse_faces_keep_thick_blocks_and_the_box_and_are_no_more_than_asked_f
     assert coarse_faces(np.ones((9, 9, 9), bool), 10).corners.max() == 9
     noise = Stream(3, "bits").many(30**3).reshape(30, 30, 30) < 0.5
     assert len(coarse_faces(noise, 200).corners) <= 200 < len(merged_faces(noise).corners)
+
+
+def test_sampled_faces_stand_for_the_voxels_within_the_same_box():
+    voxels = np.zeros((90, 60, 31), bool)
+    voxels[10:50, 20:40, 3:31] = True
+    found = sampled_faces(voxels, 30)
+    assert found.counts == (1,) * 6
+    low, high = found.corners.min((0, 1)), found.corners.max((0, 1))
+    assert (abs(low - (3, 20, 10)) < 3).all() and (abs(high - (31, 40, 50)) < 3).all()
+    assert sampled_faces(voxels, 90).corners.max(0).max(0).tolist() == [31, 40, 50]
