@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import typing
+from functools import lru_cache
 from typing import Any, Dict, Type, TypeVar
 
 from ..errors import ParameterError
@@ -26,6 +27,19 @@ def to_record(value: Any, everything: bool = False) -> Any:
     return value
 
 
+@lru_cache(maxsize=None)
+def types_of_fields(cls: type) -> Dict[str, Any]:
+    """Return the types of a dataclass's fields, by name; worked out once, since a panel asks for dozens.
+
+    Examples
+    --------
+    >>> from freecad_trabecula.core.parameters import PrismParameters
+    >>> types_of_fields(PrismParameters)["l"]
+    <class 'float'>
+    """
+    return typing.get_type_hints(cls)
+
+
 def from_record(cls: Type[T], record: Any, where: str) -> T:
     """Return the dataclass ``cls`` made from a record.
 
@@ -45,7 +59,7 @@ def from_record(cls: Type[T], record: Any, where: str) -> T:
     """
     if not isinstance(record, dict):
         raise ParameterError(f"{where} must be an object with keys, got {_kind(record)}")
-    hints = typing.get_type_hints(cls)
+    hints = types_of_fields(cls)
     names = [f.name for f in dataclasses.fields(cls)]  # type: ignore[arg-type]
     for key in record:
         if key not in names:

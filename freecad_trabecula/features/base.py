@@ -28,7 +28,7 @@ from ..core.parameters import (
     RodParameters,
     ScaffoldParameters,
 )
-from ..core.records import from_record, to_record
+from ..core.records import from_record, to_record, types_of_fields
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError
 
@@ -222,7 +222,7 @@ def property_name(cls: type, field: str) -> str:
 
 def _fields(cls: type) -> Iterable[Tuple[dataclasses.Field, str, Any]]:
     """Yield field, property name and type of each field that becomes properties."""
-    hints = typing.get_type_hints(cls)
+    hints = types_of_fields(cls)
     for field in dataclasses.fields(cls):
         if field.name not in BINDINGS[cls].without:
             yield field, property_name(cls, field.name), hints[field.name]

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import dataclasses
-import typing
 from typing import Any, Callable, Dict, Optional, Sequence, Tuple
 
 from PySide import QtCore, QtGui
 
 from ..core.laws import Law
 from ..core.parameters import Point
+from ..core.records import types_of_fields
 from .fields import (
     AutomaticField,
     Changed,
@@ -52,7 +52,7 @@ def field_for(cls: type, name: str, changed: Changed, step: float = 0.1) -> Fiel
         What one click on an arrow adds.
     """
     declared = {f.name: f for f in dataclasses.fields(cls)}[name]
-    hint, meta = typing.get_type_hints(cls)[name], declared.metadata
+    hint, meta = types_of_fields(cls)[name], declared.metadata
     unit, tip = meta["unit"], description(meta["doc"])
     if hint is str:
         return ChoiceField(meta["choices"], changed, tip) if "choices" in meta else TextField(changed, tip)

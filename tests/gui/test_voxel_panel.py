@@ -76,6 +76,7 @@ class PanelTest(VoxelCase):
         with Heartbeat() as beat:
             self.work(panel)
         self.assertLess(beat.busiest, 0.5)
+        self.assertEqual(self.dialogs, [])
         (obj,) = self.designs()
         self.assertTrue(obj.Exact and obj.Watertight)
         self.assertEqual((obj.Voxels, obj.Components), (384, 1))
@@ -337,6 +338,7 @@ class DockTest(VoxelCase):
             parameters = VoxelParameters(size=(0.1, 0.1, 0.1), strategy="minimum-zeros")
             obj = make.make_voxel_design(self.document, path, parameters)
         self.dock.show_objects(obj)
+        self.assertTrue(wait(lambda: obj.ViewObject.Proxy.blocks.is_whole, 30))
         obj.ViewObject.Visibility = False  # what the 3D view takes without a graphics card is not measured
         settle(0.5)
         with Heartbeat() as beat:
