@@ -160,7 +160,7 @@ def built(steps, preset, *kinds, seconds=900):
         box.setChecked(kind in kinds)
     with steps.step(f"{preset}: {' and '.join(kinds)}, built and shown"):
         panel.build()
-        until(lambda: not panel._open, seconds)
+        until(lambda: not panel.is_open, seconds)
         until(lambda: panels.current() is not panel, 30)
     return panels.current()
 
