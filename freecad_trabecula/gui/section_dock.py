@@ -29,6 +29,7 @@ _NAME = "TrabeculaSectionDock"
 _STEPS = 1000  # of the slider
 _MOST = 1_500_000  # triangles of a body whose cut is filled
 _CLEAR = 50  # % of transparency from which on a body's cut is not filled: what lies in it is looked at
+_LOOK = 250  # ms between two looks at what is seen
 _OTHERS = (0.75, 0.75, 0.78)  # the cut of what is not ours
 
 
@@ -46,7 +47,11 @@ class SectionDock(QtGui.QDockWidget):
         self._wait = QtCore.QTimer(self)
         self._wait.setSingleShot(True)
         self._wait.timeout.connect(self._load)
-        self._seen = _Seen(self)
+        # an observer of all views would see them while they are being made: FreeCAD 1.1 then takes a solid's for one
+        # without colours of faces, for good
+        self._looks, self._seen = QtCore.QTimer(self), ()
+        self._looks.setInterval(_LOOK)
+        self._looks.timeout.connect(self._look)
         self.setWidget(self._page())
         self.visibilityChanged.connect(self._observe)
 
@@ -191,13 +196,22 @@ class SectionDock(QtGui.QDockWidget):
         """Follow the document only while the dock is seen."""
         if visible and not self._observing:
             FreeCAD.addDocumentObserver(self)
-            FreeCADGui.addDocumentObserver(self._seen)
+            self._looks.start()
         elif not visible and self._observing:
             FreeCAD.removeDocumentObserver(self)
-            FreeCADGui.removeDocumentObserver(self._seen)
+            self._looks.stop()
             self._end()
             self._soups = {}
         self._observing = visible
+
+    def _look(self) -> None:
+        """Cut what is shown now, if that changed."""
+        if self._document in FreeCAD.listDocuments():
+            views = [obj.ViewObject for obj in FreeCAD.getDocument(self._document).Objects]
+            seen = tuple((view.Object.Name, view.Visibility, getattr(view, "Transparency", 0)) for view in views)
+            if seen != self._seen:
+                self._seen = seen
+                self.later(self._document)
 
     def later(self, document: str) -> None:
         """Take what is seen of a document anew, once many changes are done."""
@@ -218,18 +232,6 @@ class SectionDock(QtGui.QDockWidget):
         if document.Name == self._document:
             self.section, self._document = None, ""  # its scenes go with it
             self.hide()
-
-
-class _Seen:
-    """Tells of what is shown and hidden (observer protocol of FreeCAD's window)."""
-
-    def __init__(self, dock: SectionDock) -> None:
-        self._dock = dock
-
-    def slotChangedObject(self, view: Any, name: str) -> None:
-        """Cut what is shown now."""
-        if name in ("Visibility", "Transparency"):
-            self._dock.later(view.Object.Document.Name)
 
 
 def _box_of(objects: List[Any]) -> np.ndarray:

@@ -12,8 +12,10 @@ from pivy import coin
 from PySide import QtGui
 from window import WindowTest, settle, wait
 
+from freecad_trabecula import make
 from freecad_trabecula.core.analysis.cross_section import Sections
 from freecad_trabecula.core.colours import BLUE, VERMILION
+from freecad_trabecula.core.presets import preset
 from freecad_trabecula.gui import colouring
 from freecad_trabecula.gui.section import Picture
 from freecad_trabecula.gui.section_dock import section_dock
@@ -102,9 +104,19 @@ class SectionTest(WindowTest):
         blue = int((abs(np.array(seen) - BLUE).max(1) < 20).sum())
         self.assertGreater(blue, 500)
 
-    def test_what_is_hidden_is_not_cut(self):
+    def test_what_is_hidden_or_clear_is_not_cut(self):
         self.rod.ViewObject.Visibility = False
         self.assertTrue(wait(lambda: len(self.dock.section._bodies) == 1, 10))
+        self.rod.ViewObject.Visibility = True
+        self.assertTrue(wait(lambda: len(self.dock.section._bodies) == 2, 10))
+        self.rod.ViewObject.Transparency = 80
+        self.assertTrue(wait(lambda: len(self.dock.section._bodies) == 1, 10))
+
+    def test_a_network_that_is_made_meanwhile_has_colours_of_its_faces(self):
+        network = make.make_network(make.make_design(self.document, preset("case1")).wireframe)
+        network.ViewObject.ColourBy = "coupling"
+        settle(0.5)
+        self.assertGreater(len(network.ViewObject.DiffuseColor), 75)
 
     def test_nothing_is_left_of_it_and_the_document_does_not_change(self):
         self.dock.fill.set_value("rods and plates")
