@@ -19,6 +19,7 @@ from . import language  # noqa: F401  its translations come before the first tex
 from .help_pages import CONTENTS, GLOSSARY
 
 translate = FreeCAD.Qt.translate
+LEAST_TAB = 80  # pixels of a tab whose word is shortened
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 MOST_DIGITS = 4  # of a length in mm that is shown; the value itself keeps all
 _LESS = ("\u00b5m", "\u03bcm", "nm")  # units that FreeCAD shows below 0.1 mm
@@ -204,12 +205,22 @@ def help_buttons(page: str, *before: Any) -> Any:
     return widget
 
 
+class _TabBar(QtGui.QTabBar):
+    """Tabs whose words are shortened, but not beyond what can be read."""
+
+    def minimumTabSizeHint(self, index: int) -> Any:
+        """Return the least size of a tab (Qt's protocol)."""
+        size = self.tabSizeHint(index)
+        return QtCore.QSize(min(size.width(), LEAST_TAB), size.height())
+
+
 class Tabs(QtGui.QTabWidget):
-    """Pages whose tabs stay in sight, all of them: with little room their words are shortened, and told by tooltips."""
+    """Pages whose tabs' words are shortened with little room, and told by tooltips; with less two arrows move them."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.setUsesScrollButtons(False)
+        self.setTabBar(_TabBar())
+        self.setUsesScrollButtons(True)
         self.setElideMode(QtCore.Qt.ElideRight)
 
     def tabInserted(self, index: int) -> None:

@@ -33,6 +33,7 @@ from freecad_trabecula.gui.help_dock import show_help
 from freecad_trabecula.gui.help_pages import GLOSSARY
 from freecad_trabecula.gui.law_field import LawField
 from freecad_trabecula.gui.outcome import Estimate, porosity_text
+from freecad_trabecula.gui.qt import LEAST_TAB
 from freecad_trabecula.gui.report_writing import report_words
 from freecad_trabecula.gui.voxel_dock import voxel_dock
 
@@ -226,7 +227,7 @@ class ExplanationTest(unittest.TestCase):
 
 
 class TabsTest(WindowTest):
-    def test_the_tabs_of_the_docks_are_all_in_sight_beside_a_panel(self):
+    def test_the_tabs_of_the_docks_can_be_read_and_reached_beside_a_panel(self):
         for dock in (dock_of_window(), voxel_dock()):
             dock.open()
             dock.setFloating(True)
@@ -234,7 +235,11 @@ class TabsTest(WindowTest):
             settle(0.3)
             bar = dock.tabs.tabBar()
             for k in range(bar.count()):
+                dock.tabs.setCurrentIndex(k)
+                settle(0.05)
                 self.assertTrue(bar.rect().contains(bar.tabRect(k)), (bar.tabText(k), bar.tabRect(k), bar.rect()))
+                whole = bar.tabSizeHint(k).width()
+                self.assertGreaterEqual(bar.tabRect(k).width(), min(whole, LEAST_TAB), bar.tabText(k))
                 self.assertEqual(bar.tabToolTip(k), bar.tabText(k))
             dock.setFloating(False)
             dock.hide()
