@@ -49,5 +49,5 @@ def test_the_page_of_a_comparison_is_written_and_its_size_said(tmp_path):
     options = {"folders": [str(tmp_path)], "out": str(tmp_path / "page.html"), "title": "", "quiet": False}
     assert report.run(options, lambda kind, **more: said.append((kind, more))) == 0
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
-    assert "<title>Report of a and b</title>" in page
+    assert "<title>Report of a, b</title>" in page
     assert said[-1][0] == "text" and "1 parts" in said[-1][1]["text"]
