@@ -280,6 +280,8 @@ def take_voxels():
     shoot("voxels-working")
     wait(lambda: panel._work is None, 600)
     voxel_dock().hide()
+    (made,) = [obj for obj in FreeCAD.ActiveDocument.Objects if obj.Name.startswith("VoxelDesign")]
+    wait(lambda: made.ViewObject.Proxy.blocks.is_whole, 60)
     view().viewIsometric()
     view().fitAll()
     wait(seconds=1.5)  # blocks are coarse while the camera moves
