@@ -87,6 +87,10 @@ class Work(NamedTuple):
         sizes = ((self.memory, "memory"), (self.files, "files"))
         return ", ".join([*parts, *(f"{size_words(two_digits(size))} of {what}" for size, what in sizes if size)])
 
+    def times(self, count: int) -> Work:
+        """Return what this work takes so many times, one after the other; its files count once."""
+        return self._replace(seconds=count * self.seconds)
+
     def and_then(self, other: Work) -> Work:
         """Return what this work and another after it take."""
         return Work(self.seconds + other.seconds, max(self.memory, other.memory), self.files + other.files)

@@ -110,7 +110,7 @@ def variants_work(obj: Any, count: int, by: str = RAYS) -> Work:
         low, high = (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
         cut = choose(scaffold_parameters(obj), vertices, triangles, low, high)
         one = one.and_then(Work(cut.seconds, cut.bytes))
-    return one._replace(seconds=count * one.seconds)
+    return one.times(count)
 
 
 def scaffold_parameters(wireframe: Any) -> ScaffoldParameters:

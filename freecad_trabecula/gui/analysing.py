@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, NamedTuple, Optional
 
 import FreeCAD
 
@@ -58,15 +58,15 @@ class Wish(NamedTuple):
         envelope = object_source(document.getObject(self.envelope)) if self.envelope else None
         return Inputs(body, envelope, self.parameters, self.unit, 0.0, self.morphometry)
 
-    def order(self) -> Order:
-        """Return what is to be done for it.
+    def order(self, inputs: Optional[Inputs] = None) -> Order:
+        """Return what is to be done for it; of inputs that are known already, if they are given.
 
         Raises
         ------
         TrabeculaError
             If there is nothing to slice.
         """
-        inputs = self.inputs()
+        inputs = self.inputs() if inputs is None else inputs
         return Order(
             self.document, Analysis.KIND, inputs.key, lambda folder: write_analysis_task(folder, inputs), self.write,
             (self.source, self.envelope, self.analysis),
@@ -94,4 +94,4 @@ def analyse_at_once(source: Any, done: Callable[[Any], None]) -> None:
     inputs = wish.inputs()
     body = body_of_source(inputs.body)
     planes = planes_of(inputs.parameters, body.box)
-    work_at_once(wish.order(), done, work_text(analysis_work(body, list(planes.values()))))
+    work_at_once(wish.order(inputs), done, work_text(analysis_work(body, list(planes.values()))))

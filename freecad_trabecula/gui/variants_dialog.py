@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Optional, Sequence
+from typing import Any, Dict, Optional, Sequence, Tuple
 
 import FreeCAD
 import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..core.estimates import Work
 from ..core.stl import whole_file
 from ..core.variants import MOST, RAYS, SCAFFOLD, VOXELS, Variants, seeds_from, spread
 from ..errors import ParameterError, TrabeculaError
@@ -46,6 +47,7 @@ class VariantsDialog(QtGui.QDialog):
         self._document, self._name = obj.Document.Name, obj.Name
         self.variants: Optional[Variants] = None
         self.work: Optional[ChildWork] = None
+        self._known: Dict[Tuple[str, str], Work] = {}
         is_rods = type_of(obj) == "Trabecula::Wireframe"
         self.setWindowTitle(translate("Trabecula", "Other seeds: {}").format(obj.Label))
         self.setWindowIcon(icon("Trabecula_variants"))
@@ -151,10 +153,18 @@ class VariantsDialog(QtGui.QDialog):
         estimate = self.estimate.text()
         return f"{text} ({estimate})" if estimate else text
 
+    def _work_of_one(self) -> Work:
+        """What a variant takes; worked out once, for a number is typed, and the triangles of many rods are many."""
+        obj, by = self.obj(), self.by.currentData()
+        key = obj.ResultKey, by
+        if key not in self._known:
+            self._known[key] = variants_work(obj, 1, by)
+        return self._known[key]
+
     def _show_estimate(self) -> None:
         """Say what will be done at the next click."""
         try:
-            text = work_text(variants_work(self.obj(), self.count.value(), self.by.currentData()))
+            text = work_text(self._work_of_one().times(self.count.value()))
         except TrabeculaError:  # not computed yet, or closed: said when it is begun
             text = ""
         self.estimate.setText(text)

@@ -219,5 +219,6 @@ def test_only_heavy_work_must_be_said_and_two_digits_are_enough():
         False, True, True, True
     ]  # fmt: skip
     assert Work(0.4, 0.0, 1.234e8).words == "less than 1 s, 120 MB of files"
+    assert Work(10.0, 5e8).times(3) == Work(30.0, 5e8)
     both = Work(10.0, 5e8, 1e6).and_then(Work(20.0, 1e8, 2e6))
     assert both == Work(30.0, 5e8, 3e6)

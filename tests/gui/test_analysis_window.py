@@ -42,13 +42,6 @@ class AnalysisCase(WindowTest):
         dock_of_window().hide()
         super().tearDown()
 
-    def torus(self):
-        """Add a torus about Z, radii 5 and 2 mm, and return it."""
-        obj = self.document.addObject("Part::Torus", "Torus")
-        obj.Radius1, obj.Radius2 = 5, 2
-        self.document.recompute()
-        return obj
-
     def analyses(self):
         return [obj for obj in self.document.Objects if type_of(obj) == KIND]
 

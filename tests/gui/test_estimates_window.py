@@ -31,13 +31,6 @@ class EstimatesTest(WindowTest):
         dock_of_window().hide()
         super().tearDown()
 
-    def torus(self):
-        """Add a torus about Z, radii 5 and 2 mm, and return it."""
-        obj = self.document.addObject("Part::Torus", "Torus")
-        obj.Radius1, obj.Radius2 = 5, 2
-        self.document.recompute()
-        return obj
-
     def test_little_work_is_not_spoken_of_and_more_in_two_digits(self):
         self.assertEqual(work_text(Work(4.9, 4e7, 4e7)), "")
         self.assertEqual(work_text(Work(137.2)), "about 2 min 20 s")
@@ -116,6 +109,10 @@ class EstimatesTest(WindowTest):
         by_rays = variants_work(wireframe, 200).seconds
         found.by.setCurrentIndex(1)
         self.assertGreater(variants_work(wireframe, 200, SCAFFOLD).seconds, 3 * by_rays)
+        self.assertRegex(found.estimate.text(), r"^about \d+ min .* of memory$")
+        with patch("freecad_trabecula.gui.variants_dialog.variants_work") as again:
+            found.count.setValue(100)
+        again.assert_not_called()  # the triangles of a variant are counted once, not at every key
         self.assertRegex(found.estimate.text(), r"^about \d+ min .* of memory$")
         found.close()
         settle(0.1)

@@ -114,6 +114,13 @@ class WindowTest(unittest.TestCase):
         self.assertFalse(FreeCADGui.Control.activeDialog())
         self.assertEqual(self.errors, [])
 
+    def torus(self):
+        """Add a torus about Z, radii 5 and 2 mm, and return it."""
+        obj = self.document.addObject("Part::Torus", "Torus")
+        obj.Radius1, obj.Radius2 = 5, 2
+        self.document.recompute()
+        return obj
+
     def open_preset(self, name="case1"):
         """Open the design panel with a preset and return it once the porosity is estimated."""
         from freecad_trabecula.gui import panels
