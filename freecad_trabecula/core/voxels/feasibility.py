@@ -94,7 +94,7 @@ def forced_cells(counts: Sequence[np.ndarray]) -> Tuple[np.ndarray, np.ndarray]:
     Examples
     --------
     >>> solid, void = forced_cells([np.array([2, 2]), np.array([2, 2]), np.array([4, 0])])
-    >>> solid[:, :, 0].all() and void[:, :, 1].all()
+    >>> bool(solid[:, :, 0].all() and void[:, :, 1].all())
     True
     """
     shape = tuple(len(count) for count in counts)
