@@ -198,8 +198,11 @@ def strip_volumes(strips: Strips) -> np.ndarray:
     slope = 3 * np.stack([-(s**2), s**2 - 2 * t * s, 2 * t * s - t**2, t**2], 1)
     origin = strips.patches[:, :1, :1, :1, :1]
     p = strips.patches - origin
+    # One direction after the other: a third of the time of both at once.
+    there, ahead = (np.einsum("ga,rmsabx->rmsgbx", weight, p) for weight in (value, slope))
     point, du, dv = (
-        np.einsum("ga,hb,rmsabx->rmsghx", a, b, p) for a, b in ((value, value), (slope, value), (value, slope))
+        np.einsum("hb,rmsgbx->rmsghx", weight, line)
+        for weight, line in ((value, there), (value, ahead), (slope, there))
     )
     sides = np.einsum("rmsghx,rmsghx,g,h->r", point, np.cross(du, dv), weights / 2, weights / 2)
     total = sides / 3
