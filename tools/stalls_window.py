@@ -168,7 +168,7 @@ def built(steps, preset, *kinds, seconds=900):
 def analysed(steps, name, words):
     """Analyse an object at once, until its slice is seen."""
     from freecad_trabecula.gui.analysis_dock import dock_of_window
-    from freecad_trabecula.gui.document_work import is_busy
+    from freecad_trabecula.gui.background import is_busy
 
     select(name)
     with steps.step(f"analysis of {words}"):

@@ -13,7 +13,8 @@ from ..features.analysis import Analysis, Inputs
 from ..features.analysis_makers import default_parameters, design_envelope
 from ..features.analysis_source import body_of_source, file_source, object_source
 from ..features.tasks import write_analysis_task
-from .document_work import Order, check_present, work_at_once, write_step
+from .background import work_at_once
+from .document_work import Order, check_present, write_step
 from .preferences import new_slices
 from .work_text import work_text
 
@@ -69,7 +70,7 @@ class Wish(NamedTuple):
         inputs = self.inputs() if inputs is None else inputs
         return Order(
             self.document, Analysis.KIND, inputs.key, lambda folder: write_analysis_task(folder, inputs), self.write,
-            (self.source, self.envelope, self.analysis),
+            self.order, (self.source, self.envelope), self.analysis,
         )  # fmt: skip
 
     def write(self) -> Any:

@@ -7,14 +7,15 @@ from typing import Any, List
 
 import FreeCAD
 
+from ..features.analysis import Analysis
 from ..features.relations import type_of
 from . import panels
 from .analysing import analyse_at_once
 from .analysis_dock import dock_of_window, show_analyses
 from .analysis_form import ask_mesh_file, is_sliceable
 from .analysis_saving import ask_and_save
+from .background import is_busy
 from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
-from .document_work import is_busy
 
 translate = FreeCAD.Qt.translate
 KIND = "Trabecula::Analysis"
@@ -61,7 +62,7 @@ class AnalyseNow(Command):
     def reason(self) -> str:
         """Return why not: a body must be selected, and one analysis is made at a time."""
         without = super().reason()
-        if not without and is_busy(FreeCAD.ActiveDocument.Name):
+        if not without and is_busy(FreeCAD.ActiveDocument.Name, Analysis.KIND):
             without = translate("Trabecula", "an analysis is on its way already")
         if not without and not _bodies():
             without = translate("Trabecula", "select a network, a scaffold, a mesh or a solid")

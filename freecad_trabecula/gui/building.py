@@ -10,32 +10,21 @@ from typing import Any, Callable, List, NamedTuple, Optional, Sequence
 import FreeCAD
 import Part
 
-from .. import make
 from ..core.job import Job
 from ..core.records import to_record
 from ..errors import Cancelled, DependencyError, KernelError, TrabeculaError
 from ..features.relations import products_of, type_of
 from ..features.tasks import write_job_task
+from ..features.wireframe import Wireframe
+from ..geometry.fingerprints import fingerprint
 from . import transactions
-from .child_work import ChildWork, Progress, start_task
-from .document_work import check_present
+from .document_work import DocumentWork, Listener, open_writings
 from .install import PACKAGE
-from .notice import tell_of
 from .qt import invoke_later
-from .recomputing import WorkBar, document_label
-from .transactions import record, told
+from .transactions import record
 
-#: The design that is being written: a step to undo that another document opens meanwhile would cut this one in two.
-_open_writings: List[Any] = []
 _TURN = 50  # ms until a design that waits looks whether it is its turn
-
-
-_left: List[Building] = []  # those that go on without a panel
-
-
-def is_being_built(wireframe: Any) -> bool:
-    """Return whether a design is built for which no panel is open."""
-    return any(one.is_for(wireframe.Document.Name, wireframe.Name) for one in _left)
+Solid = Callable[[], Optional[Part.Shape]]
 
 
 class Target(NamedTuple):
@@ -46,16 +35,7 @@ class Target(NamedTuple):
     wireframe: str = ""
 
 
-class Listener(NamedTuple):
-    """Who is told of the work."""
-
-    progressed: Callable[[Progress], None]
-    done: Callable[[], None]
-    failed: Callable[[TrabeculaError], None]
-    begins: Callable[[], None] = lambda: None  # before the first change: what is undone is the look without a panel
-
-
-class Building:
+class Building(DocumentWork):
     """One design being built.
 
     Parameters
@@ -64,96 +44,53 @@ class Building:
     job : Job
     kinds : sequence of str
         Bodies to be built, as ``features.results`` names them.
+    solid : callable
+        Returns the envelope's solid as it is by then; None for the job's prism.
     listener : Listener
     """
 
-    def __init__(self, target: Target, job: Job, kinds: Sequence[str], listener: Listener) -> None:
-        self._target, self._job, self._kinds, self._listener = target, job, tuple(kinds), listener
-        self._work: Optional[ChildWork] = None
+    def __init__(self, target: Target, job: Job, kinds: Sequence[str], solid: Solid, listener: Listener) -> None:
+        super().__init__(target.document, Wireframe.KIND, (target.envelope,), target.wireframe, listener)
+        self._target, self._job, self._kinds, self._solid = target, job, tuple(kinds), solid
+        self._filled: Optional[Part.Shape] = None  # what the other process fills
         self._writing: Optional[Writing] = None
 
-    def start(self, solid: Optional[Part.Shape]) -> None:
-        """Start the work on the envelope's solid; None for the job's prism.
+    def start(self) -> None:
+        """Start the work.
 
         Raises
         ------
         TrabeculaError
             If it cannot be started.
         """
-        prism = self._job.prism
-        shape = solid if solid is not None else Part.makeBox(prism.l, prism.w, prism.h)
-        kinds = self._kinds or ("wireframe",)
-        self._work = start_task(
-            lambda folder: write_job_task(folder, self._job, shape, kinds),
-            self._progress,
-            self._take,
-            self._fail,
-        )
+        shape = self._filled = self._shape()
+        kinds = self._kinds or (Wireframe.KIND,)
+        self.compute(lambda folder: write_job_task(folder, self._job, shape, kinds))
+
+    def _shape(self) -> Part.Shape:
+        prism, solid = self._job.prism, self._solid()
+        return solid if solid is not None else Part.makeBox(prism.l, prism.w, prism.h)
 
     def cancel(self) -> None:
         """End the work; nothing has changed and nothing is heard of it any more."""
-        if self._work is not None:
-            self._work.cancel()
-            self._work = None
+        super().cancel()
         if self._writing is not None:
             self._writing.cancel()
             self._writing = None
 
-    def leave_to_status_bar(self) -> bool:
-        """Go on without a panel: the status bar shows how far it is and can end it.
-
-        Returns
-        -------
-        bool
-            False if the design is being written already, which takes a moment.
-        """
-        if self._work is None:
-            return False
-        document = self._target.document
-
-        def end(is_good: bool) -> None:
-            bar.close_bar()
-            _left.remove(self)
-            tell_of(document, "", is_good)
-
-        def fail(error: TrabeculaError) -> None:
-            end(False)
-            with told():
-                raise error
-
-        def cancel() -> None:
-            self.cancel()
-            bar.close_bar()
-            _left.remove(self)
-
-        bar = WorkBar(cancel, document_label(document))
-        self._listener = Listener(bar.show_progress, lambda: end(True), fail)
-        _left.append(self)
-        bar.show_start()
-        return True
-
-    def is_for(self, document: str, wireframe: str) -> bool:
-        """Return whether it changes a design."""
-        return (self._target.document, self._target.wireframe) == (document, wireframe)
-
-    def _progress(self, progress: Progress) -> None:
-        self._listener.progressed(progress)
-
-    def _take(self, folder: str) -> None:
-        self._work = None
-        try:
-            make.take_results(folder)
-            check_present(self._target.document, (self._target.envelope, self._target.wireframe))
-        except TrabeculaError as error:
-            self._listener.failed(error)
+    def write(self) -> None:
+        """Write the design, unless its envelope has changed by now."""
+        shape = self._shape()
+        if shape is not self._filled and fingerprint(shape) != fingerprint(self._filled):
+            self.start()
             return
-        self._writing = Writing(self._target, self._job, self._kinds, self._listener)
+        self._writing = Writing(self._target, self._job, self._kinds, self.listener)
         self._writing.start()
 
-    def _fail(self, text: str) -> None:
-        self._work = None
+    def error(self, text: str) -> TrabeculaError:
+        """Return the error of a sentence; of a package that is missing, one that offers to install it."""
         missing = PACKAGE in text and importlib.util.find_spec(PACKAGE) is None
-        self._listener.failed(DependencyError(text) if missing else TrabeculaError(text))
+        return DependencyError(text) if missing else super().error(text)
 
 
 class Writing:
@@ -172,13 +109,13 @@ class Writing:
 
     def start(self) -> None:
         """Open the step to undo and begin; while another design is written, wait for it."""
-        if _open_writings:
+        if open_writings:
             invoke_later(lambda: self._start_if_wanted(), _TURN)  # Qt 6 holds no object for its method
             return
         self._document = FreeCAD.getDocument(self._target.document)
         self._listener.begins()
         self._document.openTransaction("Design rods")
-        _open_writings.append(self)
+        open_writings.append(self)
         self._go_on()
 
     def _start_if_wanted(self) -> None:
@@ -198,8 +135,8 @@ class Writing:
 
     def _close(self) -> None:
         self._document = None
-        if self in _open_writings:
-            _open_writings.remove(self)
+        if self in open_writings:
+            open_writings.remove(self)
 
     def _go_on(self) -> None:
         if self._document is None:
@@ -219,8 +156,9 @@ class Writing:
                 invoke_later(self._go_on)
             else:
                 self._document.commitTransaction()
+                wireframe = self._wireframe()
                 self._close()
-                self._listener.done()
+                self._listener.done(wireframe)
                 if self._unfinished:
                     transactions.show_error(self._unfinished)
 

@@ -21,7 +21,9 @@ from .language import in_words
 from .preferences import child_threads
 
 translate = FreeCAD.Qt.translate
-_GRACE = 4000  # ms from closing its standard input until a child that does not end is killed
+_GRACE = 500  # ms from closing its standard input until a child that does not end is killed
+#: The same for work that writes into folders of the user's: what it has begun is removed there.
+TIDY_GRACE = 4000
 _TICK = 1000  # ms between two looks at the clock while nothing is reported
 
 
@@ -89,20 +91,34 @@ class ChildWork(QtCore.QObject):
         except TrabeculaError:
             shutil.rmtree(self._folder, ignore_errors=True)
             raise
+        _end_with_window()
         ChildWork._running.add(self)
         self._ticks.start(_TICK)
         self.process.start(words[0], [*words[1:], START])
 
-    def cancel(self) -> None:
-        """End the work; nothing more is heard of it."""
+    def cancel(self, grace: int = _GRACE) -> None:
+        """End the work; nothing more is heard of it. After ``grace``, ms, a process that goes on is killed."""
         self._silent = True
         self._ticks.stop()
         self.process.closeWriteChannel()
-        QtCore.QTimer.singleShot(_GRACE, self._kill)
+        QtCore.QTimer.singleShot(grace, self._kill)
 
     def _kill(self) -> None:
         if self.process.state() != QtCore.QProcess.NotRunning:
             self.process.kill()
+
+    @classmethod
+    def end_all(cls) -> None:
+        """End all work at once, for the event loop will not come back: FreeCAD is being closed."""
+        works = list(cls._running)
+        for work in works:
+            work.cancel()
+        end = time.monotonic() + _GRACE / 1000
+        for work in works:
+            left = max(int(1000 * (end - time.monotonic())), 1)
+            if work.process.state() != QtCore.QProcess.NotRunning and not work.process.waitForFinished(left):
+                work.process.kill()
+                work.process.waitForFinished(_GRACE)
 
     # ----------------------------------------------------------------------------------------------- what it says
 
@@ -159,6 +175,16 @@ class ChildWork(QtCore.QObject):
     def _end(self) -> None:
         shutil.rmtree(self._folder, ignore_errors=True)
         QtCore.QTimer.singleShot(0, lambda: ChildWork._running.discard(self))  # not within its own signal
+
+
+_ends: List[bool] = []
+
+
+def _end_with_window() -> None:
+    """Have no process outlive FreeCAD; said to Qt once."""
+    if not _ends:
+        _ends.append(True)
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(ChildWork.end_all)
 
 
 def start_task(

@@ -14,10 +14,12 @@ from ..core.job import Job
 from ..core.presets import preset
 from ..errors import TrabeculaError
 from ..features.relations import products_of
+from . import background
 from .build_bar import BuildBar
-from .building import MAKERS, Building, Listener, Target, Writing
+from .building import MAKERS, Building, Target, Writing
 from .design_envelope import DesignEnvelope
 from .design_form import IN_DOCUMENT, Callbacks, DesignForm
+from .document_work import Listener
 from .notice import tell_of
 from .outcome import Outcome
 from .picking import FacePicker
@@ -257,7 +259,7 @@ class DesignPanel(DocumentPanel):
             self._building.start()
         return False
 
-    def _keep(self) -> None:
+    def _keep(self, _: Any = None) -> None:
         self._is_kept = True
         self.close()
 
@@ -306,14 +308,15 @@ class DesignPanel(DocumentPanel):
             return
         self.picker.stop()
         heard = (self.build_bar.show_progress, self._built, self._not_built, self._clear_view.restore)
-        building = Building(self._target(), job, kinds, Listener(*heard))
-        building.start(self.body.solid(job))
+        building = Building(self._target(), job, kinds, lambda: self.body.solid(job), Listener(*heard))
+        building.start()
         self._building = building
         self._set_working(True)
 
     def leave(self) -> None:
         """Close the panel while the build goes on in the status bar."""
-        if isinstance(self._building, Building) and self._building.leave_to_status_bar():
+        if isinstance(self._building, Building) and self._building.is_computed:
+            background.of_window().take(self._building, lambda _: None)
             self._building = None
             self._keep()
 
@@ -334,10 +337,10 @@ class DesignPanel(DocumentPanel):
         for widget in (self.fields.head, self.fields.sections):
             widget.setEnabled(not working)
 
-    def _built(self) -> None:
+    def _built(self, wireframe: Any) -> None:
         self._building = None
         name = self.document.Name  # not the document: it may be closed by then
-        tell_of(name, "", True)
+        tell_of(name, wireframe.Name, True)
         self._keep()
         invoke_later(lambda: open_results(name))
 

@@ -1,25 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work for a document object: done in another process, then one step in the document, untouched until then."""
+"""Work for a document: done in another process, then one step in the document, untouched until then."""
 
 from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple
 
 import FreeCAD
+import FreeCADGui
 
 from .. import make
 from ..errors import Cancelled, ParameterError, TrabeculaError
 from ..features import results
 from ..features.relations import type_of
-from .child_work import ChildWork, start_task
-from .notice import tell_of
+from .child_work import ChildWork, Progress, start_task
 from .qt import invoke_later
-from .recomputing import WorkBar, document_label
-from .transactions import record, told, transaction
+from .transactions import record, transaction
 
 translate = FreeCAD.Qt.translate
+#: What is written over several turns of the event loop: another step to undo would cut it in two.
+open_writings: List[Any] = []
+_TURN = 50  # ms until a result that waits looks whether it is its turn
 
 
 class Order(NamedTuple):
@@ -34,8 +36,12 @@ class Order(NamedTuple):
         Takes the folder in which the other process finds its work.
     write : callable
         Writes the result, once it is at hand, into the document; returns the object.
+    again : callable
+        Returns the order for the inputs as they are by then.
     needed : tuple of str
-        Names of the objects that ``write`` takes; empty ones count for none.
+        Names of the objects of which it is made; empty ones count for none.
+    changed : str
+        Name of the object that is changed; none: a new one is made.
     """
 
     document: str
@@ -43,7 +49,18 @@ class Order(NamedTuple):
     key: str
     write_task: Callable[[str], None]
     write: Callable[[], Any]
+    again: Callable[[], Order]
     needed: Tuple[str, ...] = ()
+    changed: str = ""
+
+
+class Listener(NamedTuple):
+    """Who is told of a work."""
+
+    progressed: Callable[[Progress], None]
+    done: Callable[[Any], None]  # takes the object that was made or changed
+    failed: Callable[[TrabeculaError], None]
+    begins: Callable[[], None] = lambda: None  # before the first change: what is undone is the look without a panel
 
 
 def check_present(document: str, needed: Sequence[str]) -> None:
@@ -64,119 +81,134 @@ def check_present(document: str, needed: Sequence[str]) -> None:
 
 
 class DocumentWork:
-    """One result on its way into a document.
+    """Base of works: another process computes a result, and when it is its turn it is written into a document.
 
     Parameters
     ----------
-    order : Order
-    progressed : callable
-        Takes a ``child_work.Progress``.
-    done : callable
-        Takes the object.
-    failed : callable
-        Takes the error.
+    document, kind : str
+        Name of the document; of the result, as ``features.results`` has it.
+    needed : sequence of str
+        Names of the objects of which it is made.
+    changed : str
+        Name of the object that is changed; none: a new one is made.
+    listener : Listener
+
+    Attributes
+    ----------
+    listener : Listener
+        Whoever takes the work over puts another in its place.
+    is_left : bool
+        Whether it goes on without a panel; then other panels may have a step to undo open.
     """
 
-    def __init__(
-        self,
-        order: Order,
-        progressed: Callable[[Any], None],
-        done: Callable[[Any], None],
-        failed: Callable[[TrabeculaError], None],
-    ) -> None:
-        self._order, self._progressed, self._done, self._failed = order, progressed, done, failed
-        self._work: Optional[ChildWork] = None
-        self._is_taken = False  # the result has been read and not written yet
+    def __init__(self, document: str, kind: str, needed: Sequence[str], changed: str, listener: Listener) -> None:
+        self.document, self.kind, self.changed, self.listener, self.is_left = document, kind, changed, listener, False
+        self._needed = (*needed, changed)
+        self._process: Optional[ChildWork] = None
+        self._waits = False  # the result has been read and not written yet
 
     def start(self) -> None:
-        """Start the work; what is at hand already is written at once.
+        """Have the result computed; what is at hand already is written at once.
 
         Raises
         ------
         TrabeculaError
             If an object is not there any more, or the work cannot be started.
         """
-        check_present(self._order.document, self._order.needed)
-        if results.find(self._order.kind, self._order.key) is not None:
-            self._done(self._order.write())
-            return
-        self._work = start_task(self._order.write_task, self._progressed, self._take, self._fail)
+        raise NotImplementedError
+
+    def write(self) -> None:
+        """Write the result, which is at hand; if its inputs have changed by now, have it computed anew.
+
+        Raises
+        ------
+        TrabeculaError
+            If it cannot be written; the document is as it was.
+        """
+        raise NotImplementedError
+
+    @property
+    def is_computed(self) -> bool:
+        """Whether another process is at work, or what it found waits for its turn."""
+        return self._process is not None or self._waits
+
+    def compute(self, write_task: Callable[[str], None]) -> None:
+        """Start the other process."""
+        check_present(self.document, self._needed)
+        self._process = start_task(write_task, self._progress, self._take, self._fail)
 
     def cancel(self) -> None:
         """End the work; nothing has changed and nothing is heard of it any more."""
-        self._is_taken = False
-        if self._work is not None:
-            self._work.cancel()
-            self._work = None
+        self._waits = False
+        if self._process is not None:
+            self._process.cancel()
+            self._process = None
+
+    def _progress(self, progress: Progress) -> None:
+        self.listener.progressed(progress)
 
     def _take(self, folder: str) -> None:
-        self._work = None
+        self._process = None
         try:
             make.take_results(folder)
         except TrabeculaError as error:
-            self._failed(error)
+            self.listener.failed(error)
             return
-        self._is_taken = True
-        invoke_later(lambda: self._write())  # between reading and showing the window has its turn
+        self._waits = True
+        invoke_later(lambda: self._write_in_turn())  # between reading and showing the window has its turn
 
-    def _write(self) -> None:
-        if not self._is_taken:
+    def _write_in_turn(self) -> None:
+        if not self._waits:
             return  # cancelled meanwhile
-        self._is_taken = False
+        if open_writings or (self.is_left and _has_open_step()):
+            invoke_later(lambda: self._write_in_turn(), _TURN)
+            return
+        self._waits = False
         try:
-            check_present(self._order.document, self._order.needed)
-            self._done(self._order.write())
+            check_present(self.document, self._needed)
+            self.write()
         except TrabeculaError as error:
-            self._failed(error)
+            self.listener.failed(error)
 
     def _fail(self, text: str) -> None:
-        self._work = None
-        self._failed(TrabeculaError(text))
+        self._process = None
+        self.listener.failed(self.error(text))
+
+    def error(self, text: str) -> TrabeculaError:
+        """Return the error that a sentence of the other process stands for."""
+        return TrabeculaError(text)
 
 
-_current: Dict[str, DocumentWork] = {}  # by the document's name: each has its own
+def _has_open_step() -> bool:
+    """Whether a task panel of somebody else's has a step to undo open, which one more would end."""
+    return FreeCAD.getActiveTransaction() is not None and bool(FreeCADGui.Control.activeDialog())
 
 
-def work_at_once(order: Order, done: Callable[[Any], None], estimate: str = "") -> None:
-    """Do what was asked for with one click; the status bar shows what it will take, how far it is, and can end it.
+class ObjectWork(DocumentWork):
+    """Work whose result is one object.
 
-    Raises
-    ------
-    TrabeculaError
-        If the work cannot be started.
+    Parameters
+    ----------
+    order : Order
+    listener : Listener
     """
 
-    def finish(obj: Any = None) -> None:
-        bar.close_bar()
-        _current.pop(order.document, None)
-        if obj is not None:
-            tell_of(order.document, obj.Name, True)
-            done(obj)
+    def __init__(self, order: Order, listener: Listener) -> None:
+        super().__init__(order.document, order.kind, order.needed, order.changed, listener)
+        self._order = order
 
-    def fail(error: TrabeculaError) -> None:
-        finish()
-        tell_of(order.document, "", False)
-        with told():
-            raise error
+    def start(self) -> None:
+        """Have the result computed; what is at hand already is written at once."""
+        if results.find(self._order.kind, self._order.key) is None:
+            self.compute(self._order.write_task)
+        else:
+            check_present(self.document, self._needed)
+            self.listener.done(self._order.write())
 
-    def cancel() -> None:
-        work.cancel()
-        finish()
-
-    bar = WorkBar(cancel, document_label(order.document))
-    work = DocumentWork(order, bar.show_progress, finish, fail)
-    _current[order.document] = work
-    bar.show_start(estimate)
-    try:
-        work.start()
-    except TrabeculaError:
-        finish()
-        raise
-
-
-def is_busy(document: str = "") -> bool:
-    """Return whether something that was asked for with one click is on its way, in one document or in any."""
-    return document in _current if document else bool(_current)
+    def write(self) -> None:
+        """Write the result, unless its inputs have changed by now."""
+        self._order = self._order.again()
+        self.start()
 
 
 def write_step(document: str, step: str, parameters: Any, lines: Sequence[str], kind: str, changed: str = "") -> Any:

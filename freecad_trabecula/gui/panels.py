@@ -10,6 +10,7 @@ import FreeCAD
 from ..core.job import Job, read_job
 from ..features.jobs import job_of
 from ..features.relations import products_of, type_of, wireframe_of
+from .background import why_not
 from .preferences import new_job
 from .results_panel import open_results
 from .task_panels import current, is_free, show_panel
@@ -38,6 +39,14 @@ def open_for(document: str, name: str) -> None:
         open_change(wireframe)
 
 
+def is_free_for(obj: Any) -> bool:
+    """Return whether no task panel is open, and an object is not being computed; else say so in the status bar."""
+    sentence = why_not(obj.Document.Name, obj.Name) if obj is not None else ""
+    if sentence:
+        say(sentence)
+    return not sentence and is_free()
+
+
 def open_new(document: Any, job: Optional[Job] = None, envelope: Any = None) -> None:
     """Open the design panel for a new design."""
     from .design_panel import DesignPanel
@@ -49,13 +58,10 @@ def open_new(document: Any, job: Optional[Job] = None, envelope: Any = None) -> 
 
 def open_change(wireframe: Any) -> bool:
     """Open the design panel with the values of a design that is there; return whether it is open."""
-    from .building import is_being_built
     from .design_form import IN_DOCUMENT
     from .design_panel import DesignPanel
 
-    if is_being_built(wireframe):
-        say(translate("Trabecula", "{} is being built: the status bar shows how far it is").format(wireframe.Label))
-    elif is_free():
+    if is_free_for(wireframe):
         with told():
             scaffold = next((one for one in products_of(wireframe) if type_of(one).endswith("Scaffold")), None)
             job = job_of(wireframe, scaffold, IN_DOCUMENT)
@@ -99,7 +105,7 @@ def open_analysis(document: Any, obj: Any = None, source: Any = None) -> None:
     """Open the panel of slice analyses: for one that is there, or for a new one of a source."""
     from .analysis_panel import AnalysisPanel
 
-    if is_free():
+    if is_free_for(obj):
         with told():
             show_panel(AnalysisPanel(document, obj, source))
 
@@ -115,6 +121,6 @@ def open_voxels(document: Any, obj: Any = None, source: Any = None) -> None:
     """Open the panel of voxel designs: for one that is there, or for a new one of a source."""
     from .voxel_panel import VoxelPanel
 
-    if is_free():
+    if is_free_for(obj):
         with told():
             show_panel(VoxelPanel(document, obj, source))

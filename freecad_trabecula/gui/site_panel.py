@@ -15,10 +15,11 @@ from ..features.relations import type_of, wireframe_of
 from .edits_list import EditsList
 from .fields import ChoiceField, NumberField, PointField
 from .language import in_words
+from .panels import is_free_for
 from .pore_drawing import PoreDrawing
 from .qt import PanelForm
 from .rod_dock import computed_wireframe
-from .task_panels import DocumentPanel, is_free, show_panel, while_open
+from .task_panels import DocumentPanel, show_panel, while_open
 from .transactions import record, say, told, transaction
 
 translate = FreeCAD.Qt.translate
@@ -206,5 +207,5 @@ def open_site_panel(obj: Any) -> None:
     wireframe = wireframe_of(obj) if type_of(obj) else None
     if wireframe is None:
         say(translate("Trabecula", "Select a wireframe or its sites first"))
-    elif is_free():
+    elif is_free_for(wireframe):
         show_panel(SitePanel(wireframe))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Callable, List
 
 from ..errors import TrabeculaError
-from .child_work import ChildWork, start_task
+from .child_work import TIDY_GRACE, ChildWork, start_task
 from .recomputing import WorkBar
 from .transactions import told
 
@@ -46,7 +46,7 @@ def work_in_status_bar(write_task: Callable[[str], None], done: Callable[[str], 
             raise TrabeculaError(text)
 
     def cancel() -> None:
-        work.cancel()
+        work.cancel(TIDY_GRACE)
         end()
 
     bar = WorkBar(cancel)

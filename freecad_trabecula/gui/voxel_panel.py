@@ -19,7 +19,8 @@ from ..features.tasks import write_voxel_task
 from ..features.voxel_design import VoxelDesign
 from ..features.voxel_inputs import FlatTables, curves_of, flat_tables, inputs_of
 from .analysis_form import is_sliceable
-from .document_work import Order, check_present, work_at_once, write_step
+from .background import work_at_once
+from .document_work import Order, check_present, write_step
 from .language import in_words
 from .preferences import new_surface, new_voxels
 from .voxel_dock import show_layers
@@ -57,7 +58,7 @@ class VoxelWish(NamedTuple):
         inputs = inputs_of(sample, self.parameters, envelope, self.surface, self.tables)
         return Order(
             self.document, VoxelDesign.KIND, inputs.key, lambda folder: write_voxel_task(folder, inputs), self.write,
-            (self.source, self.envelope, self.design),
+            self.order, (self.source, self.envelope), self.design,
         )  # fmt: skip
 
     def work(self, done: Callable[[Any], None]) -> None:

@@ -9,8 +9,9 @@ from typing import Any, Callable, Optional, Tuple
 from PySide import QtGui
 
 from ..errors import TrabeculaError
+from . import background
 from .build_bar import BuildBar
-from .document_work import DocumentWork, Order
+from .document_work import Listener, ObjectWork, Order
 from .language import in_words
 from .notice import tell_of
 from .outcome import RED
@@ -51,11 +52,11 @@ class WorkPanel(DocumentPanel):
     ) -> None:
         super().__init__(document, WIDTH)
         self.obj, self.fields, self._show, self._closes = obj, fields, show, False
-        self._work: Optional[DocumentWork] = None
+        self._work: Optional[ObjectWork] = None
         self.message = QtGui.QLabel()
         self.message.setWordWrap(True)
         title, button, picture, page = words
-        self.build_bar = BuildBar((), self.work, self.cancel, button, picture)
+        self.build_bar = BuildBar((), self.work, self.cancel, button, picture, self.leave)
         self.form = PanelForm(title, picture, page)
         column = QtGui.QVBoxLayout(self.form)
         column.setContentsMargins(6, 4, 6, 4)
@@ -97,7 +98,7 @@ class WorkPanel(DocumentPanel):
         if self._work is not None:
             return
         self._closes = closes
-        work = DocumentWork(self.order(), self.build_bar.show_progress, self._done, self._refused)
+        work = ObjectWork(self.order(), Listener(self.build_bar.show_progress, self._done, self._refused))
         self._work = work
         self._set_working(True)
         try:
@@ -105,6 +106,13 @@ class WorkPanel(DocumentPanel):
         except TrabeculaError:
             self._end_work()
             raise
+
+    def leave(self) -> None:
+        """Close the panel while the work goes on in the status bar."""
+        if self._work is not None:
+            background.of_window().take(self._work, self._show)
+            self._work = None
+            self.close()
 
     def cancel(self) -> None:
         """Stop the work; the document is as it was."""
@@ -143,7 +151,10 @@ class WorkPanel(DocumentPanel):
     # ---------------------------------------------------------------------------------------------------- task panel
 
     def accept(self) -> bool:
-        """Do the work, then close."""
+        """Do the work, then close; while it is done the panel closes and the status bar takes over."""
+        if self._work is not None:
+            self.leave()
+            return False
         with told():
             self._start(True)
         return False

@@ -11517,9 +11517,9 @@
         <translation>{} hat zu viele Dreiecke, um gefüllt zu werden</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/panels.py"/>
-        <source>{} is being built: the status bar shows how far it is</source>
-        <translation>{} wird gerade gebaut: die Statusleiste zeigt, wie weit es ist</translation>
+        <location filename="../../freecad_trabecula/gui/background.py"/>
+        <source>{} is being computed: the status bar shows how far it is</source>
+        <translation>{} wird gerade berechnet: die Statusleiste zeigt, wie weit es ist</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/notice.py"/>

@@ -11517,9 +11517,9 @@
         <translation>{} ha troppi triangoli per essere riempito</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/gui/panels.py"/>
-        <source>{} is being built: the status bar shows how far it is</source>
-        <translation>{} è in costruzione: la barra di stato mostra l'avanzamento</translation>
+        <location filename="../../freecad_trabecula/gui/background.py"/>
+        <source>{} is being computed: the status bar shows how far it is</source>
+        <translation>{} è in corso di calcolo: la barra di stato mostra l'avanzamento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/notice.py"/>

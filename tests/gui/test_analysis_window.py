@@ -24,9 +24,9 @@ from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.analysis_dock import KIND, dock_of_window, show_analyses
 from freecad_trabecula.gui.analysis_plots import KINDS, compared_diagram, comparison_of, diagram_of
 from freecad_trabecula.gui.analysis_saving import save
+from freecad_trabecula.gui.background import is_busy
 from freecad_trabecula.gui.chart import axes_of, nice_steps
 from freecad_trabecula.gui.commands import COMMANDS
-from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.preferences import preferred_colour
 from freecad_trabecula.gui.slice_view import legend_of, plane_corners
 

@@ -17,7 +17,7 @@ from freecad_trabecula.core.variants import SCAFFOLD
 from freecad_trabecula.features.analysis_source import body_of_source, object_source, soup_of_source
 from freecad_trabecula.features.variants import variants_work
 from freecad_trabecula.geometry.mesh_objects import core_mesh
-from freecad_trabecula.gui import analysis_saving, document_work, panels
+from freecad_trabecula.gui import analysis_saving, background, panels
 from freecad_trabecula.gui.analysing import analyse_at_once
 from freecad_trabecula.gui.analysis_dock import dock_of_window
 from freecad_trabecula.gui.child_work import Progress
@@ -78,7 +78,7 @@ class EstimatesTest(WindowTest):
     def test_one_click_says_it_in_the_status_bar(self):
         said = []
         with patch("freecad_trabecula.gui.analysing.analysis_work", lambda *_: Work(64.0)), patch.object(
-            document_work.WorkBar, "show_start", lambda bar, text="": said.append(text)
+            background.WorkBar, "show_start", lambda bar, text="": said.append(text)
         ):
             found = []
             analyse_at_once(self.torus(), found.append)

@@ -24,8 +24,8 @@ from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.features.stages import DONE, STALE, state_of
 from freecad_trabecula.gui import layer_dialog, panels, table_dialog
+from freecad_trabecula.gui.background import is_busy
 from freecad_trabecula.gui.commands import COMMANDS
-from freecad_trabecula.gui.document_work import is_busy
 from freecad_trabecula.gui.layer_dialog import make_shapes
 from freecad_trabecula.gui.recomputing import of_window
 from freecad_trabecula.gui.transactions import told, transaction

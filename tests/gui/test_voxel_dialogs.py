@@ -15,7 +15,7 @@ from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.voxels.table_files import read_tables_xlsx
 from freecad_trabecula.errors import ParameterError
 from freecad_trabecula.gui import table_dialog
-from freecad_trabecula.gui.document_work import is_busy
+from freecad_trabecula.gui.background import is_busy
 from freecad_trabecula.gui.propagation_dialog import watch_layer
 from freecad_trabecula.gui.table_dialog import TableDialog
 

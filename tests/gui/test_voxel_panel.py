@@ -23,7 +23,7 @@ from freecad_trabecula.errors import ExportError, ParameterError
 from freecad_trabecula.features import results
 from freecad_trabecula.features.relations import type_of
 from freecad_trabecula.gui import panels
-from freecad_trabecula.gui.document_work import is_busy
+from freecad_trabecula.gui.background import is_busy
 from freecad_trabecula.gui.layer_dialog import LayerDialog, make_shapes
 from freecad_trabecula.gui.merged_blocks import MODE
 from freecad_trabecula.gui.preferences import preferred_colour

@@ -10,8 +10,9 @@ from freecad_trabecula import make
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.features import results
 from freecad_trabecula.features.on_demand import COMPUTING
-from freecad_trabecula.gui.building import Listener, Target, Writing
+from freecad_trabecula.gui.building import Target, Writing
 from freecad_trabecula.gui.child_work import Progress, progress_text
+from freecad_trabecula.gui.document_work import Listener
 from freecad_trabecula.gui.notice import notices
 from freecad_trabecula.gui.recomputing import of_window
 
@@ -85,7 +86,7 @@ class TwoDocumentsTest(WindowTest):
     def test_two_designs_that_are_written_step_by_step_in_turn_do_not_mix(self):
         done = []
         for document, name in ((self.document, "case1"), (self.other, "case2")):
-            listener = Listener(lambda _: None, lambda: done.append(1), lambda error: self.fail(str(error)))
+            listener = Listener(lambda _: None, lambda _: done.append(1), lambda error: self.fail(str(error)))
             Writing(Target(document.Name), preset(name), ("network",), listener).start()
         self.assertTrue(wait(lambda: len(done) == 2, 240))
         for document, name in ((self.document, "case1"), (self.other, "case2")):
