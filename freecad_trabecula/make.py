@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Scripting: one function for every step of a design, with or without the window.
 
-Step by step: ``make_box`` or ``make_envelope``, ``make_prism_sites`` or ``make_face_sites``, ``make_wireframe``, then
-``make_network`` (solids) and ``make_scaffold`` (mesh). At once: ``make_design``, ``change_design``; back: ``job_of``.
+Step by step: ``make_box``, ``make_envelope`` or ``make_job_envelope``, ``make_prism_sites`` or ``make_face_sites``,
+``make_wireframe``, then ``make_network`` (solids) and ``make_scaffold`` (mesh). At once: ``estimate_design``,
+``make_design``, ``change_design``; back: ``job_of``.
 By hand: ``set_pore``, ``move_site``, ``switch_off_site``, ``add_site``, ``take_back_edits``. Numbers:
 ``wireframe_of``, ``bodies_of``. Files: ``export``. Slices: ``make_analysis``, ``change_analysis``, ``analysis_of``,
 ``contours_of``, ``compare_analyses``, ``passport_of``, ``save_analysis``, ``save_comparison``. Voxels:
@@ -26,8 +27,9 @@ from .features.analysis_makers import (
     make_analysis,
     passport_of,
 )
-from .features.designs import Design, change_design, make_design
+from .features.designs import Design, change_design, make_design, make_job_envelope
 from .features.edits import add_site, edits_of, move_site, set_pore, switch_off_site, take_back_edits
+from .features.estimates import estimate_design
 from .features.examples import make_example
 from .features.exports import export
 from .features.feature import update
@@ -77,6 +79,7 @@ __all__ = [
     "default_parameters",
     "design_as_script",
     "edits_of",
+    "estimate_design",
     "estimate_voxel_design",
     "exact_slices",
     "export",
@@ -89,6 +92,7 @@ __all__ = [
     "make_envelope",
     "make_example",
     "make_face_sites",
+    "make_job_envelope",
     "make_layer_shapes",
     "make_network",
     "make_prism_sites",

@@ -2,14 +2,15 @@
 """What is said before some work beside what came: seconds, memory, sizes of files.
 
     python3 tools/estimates.py           prints the table
-    python3 tools/estimates.py --docs    writes it into docs/seeing.md too
+    python3 tools/estimates.py --docs    writes it into docs/seeing.md too; with --only WORD some lines
 
 Bones are those of the folder TRABECULA_DATA (default: ../shared/data). Every piece runs in a process of its own: CPU
-seconds of the work, peak memory of the process less that before. Other seeds run under FreeCAD, the rest without.
+seconds of the work, peak memory of the process less that before. Designs run under FreeCAD, the rest without.
 """
 
 import argparse
 import json
+import os
 import resource
 import subprocess
 import sys
@@ -34,6 +35,8 @@ PIECES = (
     ("the same and morphometry, 154,298 triangles", "slices", (SHREW, 1, 100, True)),
     ("the same and morphometry, 238,310 triangles", "slices", (FINE, 1, 100, True)),
     ("the same and morphometry, 258,470 triangles", "slices", (BONE, 1, 100, True)),
+    ("slices of an OBJ, reading included, 258,470 triangles, 3 x 100 planes", "text", (BONE, ".obj", 100)),
+    ("slices of an STL as text, reading included, 258,470 triangles, 3 x 100 planes", "text", (BONE, ".stl", 100)),
     ("tables and plots, 1,523 contours", "folder", (SHREW, 100)),
     ("tables and plots, 25,309 contours", "folder", (BONE, 100)),
     ("tables and plots, 75,050 contours", "folder", (BONE, 300)),
@@ -44,11 +47,15 @@ PIECES = (
     ("comparison and plots, 2 x 25,309 contours", "comparison", (BONE, 100)),
     ("comparison and plots, 2 x 75,050 contours", "comparison", (BONE, 300)),
 )  # fmt: skip
+UNDER_FREECAD = ("design", "seeds")
 SEEDS = (
-    ("10 other seeds by rays, case 6", ("case6", 10, "rays")),
-    ("5 other seeds with scaffolds, case 6", ("case6", 5, "scaffold")),
-    ("3 other seeds by rays, femur", ("femur", 3, "rays")),
-    ("3 other seeds of voxels, 104 x 94 x 104", (BONE, 3, 0.1)),
+    ("case 6: rods, solids, scaffold", "design", ("case6",)),
+    ("case 1: rods, solids, scaffold", "design", ("case1",)),
+    ("femur: rods, solids, scaffold", "design", ("femur",)),
+    ("10 other seeds by rays, case 6", "seeds", ("case6", 10, "rays")),
+    ("5 other seeds with scaffolds, case 6", "seeds", ("case6", 5, "scaffold")),
+    ("3 other seeds by rays, femur", "seeds", ("femur", 3, "rays")),
+    ("3 other seeds of voxels, 104 x 94 x 104", "seeds", (BONE, 3, 0.1)),
 )
 
 
@@ -60,7 +67,8 @@ class Bone:
 
         from freecad_trabecula.core.analysis.parameters import SliceParameters
         from freecad_trabecula.core.analysis.triangles import Soup, read_soup
-        from freecad_trabecula.core.estimates import body_of, body_of_file, planes_of
+        from freecad_trabecula.core.estimates import body_of, planes_of
+        from freecad_trabecula.core.file_bodies import body_of_file
 
         self.soup = read_soup(DATA / name, "mm")
         self.body = body_of_file(DATA / name)
@@ -96,6 +104,56 @@ def slices(name, into, planes, morphometry):
         bone.contours()
 
     return analysis_work(bone.body, bone.planes, morphometry), work
+
+
+def text(name, kind, planes):
+    """Said of a mesh file at a glance, and its reading and slicing."""
+    from freecad_trabecula.core.analysis.analysis import analyse
+    from freecad_trabecula.core.analysis.parameters import SliceParameters
+    from freecad_trabecula.core.analysis.triangles import read_soup
+    from freecad_trabecula.core.estimates import analysis_work, planes_of
+    from freecad_trabecula.core.file_bodies import body_of_file, reading_work
+
+    path = Path(tempfile.mkdtemp()) / f"bone{kind}"
+    child = os.fork()  # the writing needs memory of its own
+    if not child:
+        _write_text(path, read_soup(DATA / name, "mm").triangles)
+        os._exit(0)
+    os.waitpid(child, 0)
+    body = body_of_file(path)
+    parameters = SliceParameters(thickness=body.size / planes)
+    said = reading_work(path, body.triangles)
+    said = said.and_then(analysis_work(body, list(planes_of(parameters, body.box).values())))
+
+    def work(_):
+        from freecad_trabecula.core.analysis.analysis import contours_of
+
+        soup = read_soup(path, "mm")
+        analyse(soup, parameters, False)
+        for axis in parameters.axes:
+            contours_of(soup, parameters, axis)
+        path.unlink()
+
+    return said, work
+
+
+def _write_text(path, triangles):
+    """An OBJ, or an STL as text."""
+    import numpy as np
+
+    from freecad_trabecula.core.mesh_formats import write_obj
+    from freecad_trabecula.core.meshes import Mesh
+
+    if path.suffix == ".obj":
+        vertices, places = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
+        write_obj(path, Mesh(vertices.astype(float), places.reshape(-1, 3)))
+        return
+    with open(path, "w", encoding="ascii") as file:
+        file.write("solid bone\n")
+        for corners in triangles.tolist():
+            lines = "".join("vertex {:.6e} {:.6e} {:.6e}\n".format(*corner) for corner in corners)
+            file.write(f"facet normal 0 0 0\nouter loop\n{lines}endloop\nendfacet\n")
+        file.write("endsolid bone\n")
 
 
 def folder(name, planes):
@@ -164,6 +222,21 @@ def comparison(name, planes):
     return comparison_work(2 * sum(one for _, one in counts), len(counts), True), work
 
 
+def design(name):
+    """Said of a job as soon as its envelope is there, and the design; under FreeCAD."""
+    import FreeCAD
+
+    from freecad_trabecula import make
+    from freecad_trabecula.core.presets import preset
+    from freecad_trabecula.features import results
+
+    document, job = FreeCAD.newDocument(), preset(name)
+    envelope = make.make_job_envelope(document, job)
+    said = make.estimate_design(job, envelope.Shape)
+    results.clear()
+    return said, lambda _: make.make_design(document, job, ("network", "scaffold"), envelope)
+
+
 def seeds(name, count, by):
     """Said, and the work; under FreeCAD."""
     import FreeCAD
@@ -172,7 +245,7 @@ def seeds(name, count, by):
     from freecad_trabecula.core.presets import preset
     from freecad_trabecula.core.variants import RAYS, SCAFFOLD
     from freecad_trabecula.core.voxels.parameters import VoxelParameters
-    from freecad_trabecula.features.variants import variants_work
+    from freecad_trabecula.features.estimates import variants_work
 
     document = FreeCAD.newDocument()
     if by in ("rays", "scaffold"):
@@ -207,7 +280,7 @@ def run(piece, options):
     with tempfile.TemporaryDirectory() as place:
         path = str(Path(place) / "found.json")
         arguments = [piece, json.dumps(options), path]
-        if piece == "seeds":
+        if piece in UNDER_FREECAD:
             status = under_freecad.run(__file__, arguments, stdout=subprocess.DEVNULL)
         else:
             status = subprocess.call([sys.executable, __file__, *arguments])
@@ -230,18 +303,26 @@ def table(rows):
     return "\n".join(lines)
 
 
+def _with_others(lines):
+    """The table with the lines of the page for the works that were not measured now."""
+    page = (generated_page.DOCS / "seeing.md").read_text(encoding="utf-8")
+    before = page.split("<!-- estimates: begin -->")[1].split("<!-- estimates: end -->")[0].strip().splitlines()
+    found = {line.split(" | ")[0][2:]: line for line in [*before[2:], *lines[2:]]}
+    return "\n".join([*lines[:2], *(found[name] for name, *_ in [*PIECES, *SEEDS] if name in found)])
+
+
 def _all():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--docs", action="store_true", help="write the table into docs/seeing.md")
     parser.add_argument("--only", default="", help="a part of the names of works")
     chosen = parser.parse_args()
     rows = []
-    for name, piece, options in [*PIECES, *((name, "seeds", options) for name, options in SEEDS)]:
+    for name, piece, options in [*PIECES, *SEEDS]:
         if chosen.only in name:
             rows.append((name, run(piece, options)))
             print(table(rows[-1:]).splitlines()[-1], flush=True)
     if chosen.docs:
-        generated_page.write_part("seeing.md", "estimates", table(rows))
+        generated_page.write_part("seeing.md", "estimates", _with_others(table(rows).splitlines()))
 
 
 if __name__ == "__main__":

@@ -19,37 +19,37 @@ bodies there, four bones of 1 to 10 mm, 12,000 to 2,000,000 triangles, 30 to 1,0
 from __future__ import annotations
 
 import math
-from pathlib import Path
-from typing import Dict, NamedTuple, Sequence, Tuple, Union
+from typing import Dict, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
+from . import engines
 from .analysis.branches import MOST_ROWS, ROWS_PER_LAYER
 from .analysis.parameters import SliceParameters, axis_frame, plane_heights
 from .analysis.voxelise import DEFAULT_CELLS, size_for
 from .report_text import size_words
 from .voxels.design import Estimate
-from .voxels.parameters import BYTES_PER_VOXEL
 
 #: Less than this need not be said: seconds, bytes.
 HEAVY = (5.0, 50e6)
-_CROSSINGS, _SLICING, _CONTOURS = 5e-6, (1e-7, 2e-7), (1e-7, 1.3e-7)  # s; of the pairs per triangle and per segment
+_CROSSINGS, _SLICING, _CONTOURS = 6e-6, (1e-7, 2e-7), (1e-7, 1.3e-7)  # s; of the pairs per triangle and per segment
 _SEGMENTS, _STRUT = 1.22, 10.7
 _BRANCHES = (6.6e-7, 1.13)  # s, and the power of the crossings
 _MORPHOMETRY = (0.8, 1.5e-6)  # s, s a voxel
+_LEAST = (0.03, 1.3e7)  # s, bytes of any analysis
 _MEMORY = (150.0, 12.0, 6e7, 33.0)  # bytes a triangle, a segment; of the morphometry: always, a voxel
 _TABLES = (1.3e-5, 303.0, 66.0, 36.0, 12e3)  # s and bytes a contour; bytes a slice: profile, branches; report
 _WORKBOOK = (7.2e-5, 50.0, 30.0, 8e3)  # s and bytes a contour; bytes a slice; the rest
-_PLOT = (0.33, 1.2e5)  # s and bytes of a plot
+_PLOT = (0.4, 1.2e5)  # s and bytes of a plot
 _COMPARED = (2e-6, 1.6, 1e-5, 4.2e5)  # s a contour; plots of it: s an axis, s a contour, bytes an axis
 #: By kind of a file of layers: s a segment, bytes a segment besides its two numbers, a contour, a slice.
 _LAYERS = {"ssl": (5e-7, 2.0, 2.0, 24.0), "cli": (1.4e-6, 2.0, 27.0, 20.0), "svg": (5.5e-7, 3.0, 0.0, 190.0)}
-_VARIANT_ROD, _VARIANT_MENDED = 2.2e-3, 0.083  # s
+_ROD, _MENDED = 1e-3, 0.083  # s; of a rod, of one that is to be mended
+_SOLIDS = (4.2e-5, 4e7, 2.6e3)  # s a triangle; bytes: always, a triangle
+_SCAFFOLD = (0.15, 1.75, 4e7)  # s; times the engine's own seconds; bytes beside the engine's
+_VARIANT_ROD = 2.2e-3  # s; a rod with its share of the estimate by rays and of the picture
 _VARIANT_VOXELS = (0.35, 5e-7)  # s, s a cell
 _CURVED, _FACE = 150.0, 20  # triangles of a solid: times its surfaces over its volume to 4/3; of a face bent one way
-_BINARY, _HEAD = 50, 84  # bytes of an STL triangle, of the head of the file
-_TEXT = {".stl": 260.0, ".obj": 40.0, ".ply": 20.0, ".3mf": 25.0}  # bytes a triangle, about
-_SAMPLE = 300_000  # triangles of a file that are looked at
 
 
 class Work(NamedTuple):
@@ -204,23 +204,6 @@ def triangles_of_solid(volume: float, surface: float, curved: float, faces: int)
     return int(_CURVED * curved * surface / abs(volume) ** (4 / 3) + _FACE * faces) if volume else _FACE * faces
 
 
-def body_of_file(path: Union[str, Path]) -> Body:
-    """Return what is known of a mesh file at a glance: of a binary STL all, from a sample; of others the triangles.
-
-    Raises
-    ------
-    OSError
-        If it cannot be read.
-    """
-    path = Path(path)
-    size, kind = path.stat().st_size, path.suffix.lower()
-    count = (size - _HEAD) // _BINARY
-    if kind == ".stl" and count > 0 and size == _HEAD + _BINARY * count:
-        rows = np.memmap(path, np.uint8, "r", _HEAD, (count, _BINARY))[:: -(-count // _SAMPLE)]
-        return body_of(np.ascontiguousarray(rows[:, 12:48]).view("<f4").reshape(-1, 3, 3), count)
-    return Body(int(size / _TEXT.get(kind, _BINARY)), np.full((2, 3), math.nan))
-
-
 # --------------------------------------------------------------------------------------------------------- the work
 
 
@@ -262,7 +245,8 @@ def analysis_work(body: Body, planes: Planes, morphometry: bool = False) -> Work
     """
     cut, each = segments(body, planes), len(planes) * body.triangles
     seconds = _CROSSINGS * body.triangles + sum(a * each + b * cut for a, b in (_SLICING, _CONTOURS))
-    memory = _MEMORY[0] * body.triangles + _MEMORY[1] * cut
+    seconds += _LEAST[0]
+    memory = _LEAST[1] + _MEMORY[0] * body.triangles + _MEMORY[1] * cut
     if morphometry:
         cells, share = voxels(body), abs(body.volume) / body.room if body.room > 0 else math.nan
         per_axis = contours(body, planes) / max(len(planes), 1)
@@ -331,12 +315,32 @@ def comparison_work(count: float, axes: int, plots: bool = False) -> Work:
     return Work(_COMPARED[0] * count).and_then(drawn if plots else Work(0.0))
 
 
-def rod_variant_work(rods: int, mended: int) -> Work:
+def design_work(rods: int, faulty: int) -> Work:
+    """Return what so many rods take, of which so many are to be mended."""
+    return Work(_ROD * rods + _MENDED * faulty)
+
+
+def network_work(triangles: int) -> Work:
+    """Return what the solids of rods with so many triangles in all take."""
+    return Work(_SOLIDS[0] * triangles, _SOLIDS[1] + _SOLIDS[2] * triangles)
+
+
+def scaffold_work(engine: engines.Estimate) -> Work:
+    """Return what a scaffold takes with its pieces, volumes and checks, of what its engine takes."""
+    return Work(_SCAFFOLD[0] + _SCAFFOLD[1] * engine.seconds, _SCAFFOLD[2] + engine.bytes)
+
+
+def rod_variant_work(rods: int, faulty: int) -> Work:
     """Return what a design of so many rods takes with another seed, of which so many are to be mended."""
-    return Work(_VARIANT_ROD * rods + _VARIANT_MENDED * mended)
+    return Work(_VARIANT_ROD * rods + _MENDED * faulty)
+
+
+def voxel_work(design: Estimate) -> Work:
+    """Return what a voxel design takes."""
+    return Work(design.seconds, 1e9 * design.gigabytes)
 
 
 def voxel_variant_work(design: Estimate) -> Work:
     """Return what a voxel design takes with another seed: itself, its counts, its picture."""
     seconds = design.seconds + _VARIANT_VOXELS[0] + _VARIANT_VOXELS[1] * design.cells
-    return Work(seconds, float(BYTES_PER_VOXEL * design.cells))
+    return Work(seconds, 1e9 * design.gigabytes)

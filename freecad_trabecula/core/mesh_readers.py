@@ -243,13 +243,24 @@ class _BinaryPly:
 # --------------------------------------------------------------------------------------------------------------- 3MF
 
 
-def _3mf(data: bytes) -> _Read:
+def model_of_3mf(data: bytes) -> bytes:
+    """Return the XML of the model in a 3MF file.
+
+    Raises
+    ------
+    MeshError
+        If there is none, or the file is cut off.
+    """
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as package:
-            model = package.read(_model_entry(package))
-        root = ElementTree.fromstring(model)
+            return package.read(_model_entry(package))
     except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError) as error:
         raise MeshError(f"a 3MF file must be a whole ZIP archive: {error}") from error
+
+
+def _3mf(data: bytes) -> _Read:
+    try:
+        root = ElementTree.fromstring(model_of_3mf(data))
     except ElementTree.ParseError as error:
         raise MeshError(f"the model of a 3MF file must be proper XML: {error}") from error
     unit = root.get("unit", "millimeter")

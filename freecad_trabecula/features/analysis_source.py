@@ -12,7 +12,8 @@ import numpy as np
 import Part
 
 from ..core.analysis.triangles import UNITS, Soup, guessed_unit, read_soup
-from ..core.estimates import Body, body_of, body_of_file, triangles_of_solid
+from ..core.estimates import Body, Work, body_of, triangles_of_solid
+from ..core.file_bodies import body_of_file, reading_work
 from ..core.parameters import RodParameters
 from ..core.progress import Progress, silent
 from ..core.records import from_record, to_record
@@ -158,6 +159,22 @@ def body_of_source(source: Source, unit: str = "auto") -> Body:
     some = np.unique(np.linspace(0, rods - 1, min(rods, _SOME_RODS)).astype(int))
     soup = rods_soup(without(value.wireframe, some), parameters, source.name)
     return body_of(soup.triangles, len(soup.triangles) * rods // len(some))._replace(box=corners)
+
+
+def reading_of_source(source: Source, body: Body) -> Work:
+    """Return what the reading of a source of which that is known takes: of a file; all else is there.
+
+    Raises
+    ------
+    ExportError
+        If a file cannot be read.
+    """
+    if source.kind != "file":
+        return Work(0.0)
+    try:
+        return reading_work(source.body, body.triangles)
+    except OSError as error:
+        raise ExportError(f"the file {source.body} could not be read: {error.strerror or error}") from error
 
 
 def _body_of_solids(solids: Sequence[Part.Shape]) -> Body:

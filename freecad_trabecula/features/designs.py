@@ -75,7 +75,7 @@ def make_design(
     """
     with all_or_nothing(document):
         progress(0.0, 1.0, "envelope")
-        envelope = envelope or _job_envelope(document, job)
+        envelope = envelope or make_job_envelope(document, job)
         sites = _job_sites(envelope, job, part(progress, 0.05, 0.3))
         wireframe = make_wireframe(envelope, sites, job.wireframe, part(progress, 0.3, 0.4))
         network = make_network(wireframe, part(progress, 0.4, 0.6)) if "network" in parts else None
@@ -83,7 +83,14 @@ def make_design(
     return Design(envelope, sites, wireframe, network, scaffold)
 
 
-def _job_envelope(document: FreeCAD.Document, job: Job) -> Any:
+def make_job_envelope(document: FreeCAD.Document, job: Job) -> Any:
+    """Add the body that a job fills: its prism, or the solid of its file; return it.
+
+    Raises
+    ------
+    TrabeculaError
+        If the file cannot be read, or holds no solid.
+    """
     if job.prism is None:
         return make_envelope(document, job.envelope, job.solid)
     return make_box(document, job.prism.l, job.prism.w, job.prism.h)

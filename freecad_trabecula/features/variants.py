@@ -10,23 +10,19 @@ from typing import Any, Callable, Dict, List, Sequence
 
 import numpy as np
 
-from ..core.engines import choose
-from ..core.estimates import Work, rod_variant_work, voxel_variant_work
 from ..core.html_report.shaded_view import shaded_view
 from ..core.meshes import Mesh
 from ..core.parameters import ScaffoldParameters
 from ..core.porosity_estimate import estimate_porosity
 from ..core.progress import Progress, part, silent
 from ..core.records import from_record, to_record
-from ..core.rods import rod_mesh
 from ..core.variants import RAYS, SCAFFOLD, VOXELS, Variant, Variants
 from ..core.voxels.blocks import block_mesh
-from ..core.voxels.design import estimate, make_design
+from ..core.voxels.design import make_design
 from ..core.voxels.parameters import VoxelParameters
 from ..core.voxels.sources import mask_of_triangles
 from ..core.voxels.trabeculae import trabecula_counts
 from ..core.voxels.variants import chance_overlap, overlaps
-from ..core.wireframe import skin
 from ..errors import ParameterError
 from ..geometry.design import design_wireframe
 from . import results
@@ -35,7 +31,7 @@ from .feature import is_a
 from .packing import read_value, write_value
 from .relations import products_of
 from .scaffold import Scaffold, cut
-from .voxel_design import VoxelDesign, voxel_design_of
+from .voxel_design import VoxelDesign
 from .voxel_design import figures_of as voxel_figures
 from .voxel_inputs import Inputs as VoxelInputs
 from .voxel_inputs import is_table, read_inputs, triangles_of, write_inputs
@@ -88,29 +84,6 @@ def make_variants(obj: Any, seeds: Sequence[int], by: str = RAYS, progress: Prog
         envelope = triangles_of(inputs.envelope, silent) if inputs.envelope else None
         return voxel_variants(inputs, body, envelope, seeds, progress)
     raise ParameterError(f"variants must be those of a wireframe or of a voxel design, got {obj.Label}")
-
-
-def variants_work(obj: Any, count: int, by: str = RAYS) -> Work:
-    """Return what so many variants of a design will take; arguments as for ``make_variants``.
-
-    Raises
-    ------
-    ParameterError
-        If the design is not computed yet.
-    """
-    if is_a(obj, VoxelDesign):
-        layers = voxel_design_of(obj).voxels.shape[::-1]
-        one = voxel_variant_work(estimate(layers, read_parameters(obj, VoxelParameters).strategy))
-    else:
-        one = rod_variant_work(obj.Rods, len(obj.Recoveries))
-    if by == SCAFFOLD and obj.Rods:
-        wireframe = obj.Proxy.wireframe(obj)
-        vertices, triangles = rod_mesh(skin(wireframe, obj.Proxy.parameters(obj).rods), wireframe.mean_size)
-        box = obj.Envelope.Shape.BoundBox
-        low, high = (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
-        cut = choose(scaffold_parameters(obj), vertices, triangles, low, high)
-        one = one.and_then(Work(cut.seconds, cut.bytes))
-    return one.times(count)
 
 
 def scaffold_parameters(wireframe: Any) -> ScaffoldParameters:

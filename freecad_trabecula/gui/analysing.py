@@ -8,10 +8,10 @@ from typing import Any, Callable, NamedTuple, Optional
 import FreeCAD
 
 from ..core.analysis.parameters import SliceParameters
-from ..core.estimates import analysis_work, planes_of
 from ..features.analysis import Analysis, Inputs
 from ..features.analysis_makers import default_parameters, design_envelope
-from ..features.analysis_source import body_of_source, file_source, object_source
+from ..features.analysis_source import file_source, object_source
+from ..features.estimates import work_of_analysis
 from ..features.tasks import write_analysis_task
 from .background import work_at_once
 from .document_work import Order, check_present, write_step
@@ -93,6 +93,4 @@ def analyse_at_once(source: Any, done: Callable[[Any], None]) -> None:
         source.Document.Name, new_slices(default_parameters(source)), source.Name, envelope.Name if envelope else ""
     )
     inputs = wish.inputs()
-    body = body_of_source(inputs.body)
-    planes = planes_of(inputs.parameters, body.box)
-    work_at_once(wish.order(inputs), done, work_text(analysis_work(body, list(planes.values()))))
+    work_at_once(wish.order(inputs), done, work_text(work_of_analysis(inputs)))

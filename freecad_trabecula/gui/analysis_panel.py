@@ -8,10 +8,10 @@ from typing import Any, Optional, Tuple
 import FreeCAD
 
 from ..core.analysis.parameters import SliceParameters
-from ..core.estimates import Body, analysis_work, planes_of
+from ..core.estimates import Body, Work, analysis_work, planes_of
 from ..errors import ParameterError, TrabeculaError
 from ..features.analysis_makers import default_parameters, design_envelope
-from ..features.analysis_source import body_of_source, file_source, object_source
+from ..features.analysis_source import body_of_source, file_source, object_source, reading_of_source
 from .analysing import Wish
 from .analysis_dock import show_analyses
 from .analysis_form import AnalysisForm, is_sliceable, sliceable
@@ -41,7 +41,7 @@ class AnalysisPanel(WorkPanel):
             *(translate("Trabecula", "Slice analysis"), translate("Trabecula", "Analyse")),
             *("Trabecula_analysis", "commands/Analysis.md"),
         )
-        self._looked_at: Tuple[Tuple[str, str, str], Optional[Body]] = (("", "", ""), None)
+        self._looked_at: Tuple[Tuple[str, str, str], Optional[Tuple[Body, Work]]] = (("", "", ""), None)
         super().__init__(document, obj, source, AnalysisForm(self._changed), words, lambda one: show_analyses([one]))
 
     def fill(self, source: Any) -> None:
@@ -76,25 +76,29 @@ class AnalysisPanel(WorkPanel):
             self.refuse(error)
 
     def _estimate(self, parameters: SliceParameters) -> str:
-        body = self._body()
-        if body is None:
+        known = self._known()
+        if known is None:
             return translate("Trabecula", "Choose a body or a file")
+        body, reading = known
         planes = planes_of(parameters, body.box)
         counts = ", ".join(f"{title(axis)} {number}" for axis, (number, _) in planes.items())
-        work = work_text(analysis_work(body, list(planes.values()), self.fields.morphometry.isChecked()))
+        work = analysis_work(body, list(planes.values()), self.fields.morphometry.isChecked())
+        said = work_text(reading.and_then(work))
         slices = translate("Trabecula", "Slices: {}").format(counts) if counts else ""
-        return "; ".join(words for words in (slices, work) if words)
+        return "; ".join(words for words in (slices, said) if words)
 
-    def _body(self) -> Optional[Body]:
-        """What is known of what is sliced; looked at once, for the form is typed into."""
+    def _known(self) -> Optional[Tuple[Body, Work]]:
+        """What is known of what is sliced, and its reading; looked at once, for the form is typed into."""
         name, file, unit = self.fields.source_name(), self.fields.file(), self.fields.unit.currentData()
         if (name, file, unit) != self._looked_at[0]:
-            source = self.document.getObject(name) if name else None
-            if source is not None:
-                found = body_of_source(object_source(source)) if is_sliceable(source) else None
+            body = self.document.getObject(name) if name else None
+            if body is not None:
+                source = object_source(body) if is_sliceable(body) else None
             else:
-                found = body_of_source(file_source(file), unit) if file else None
-            self._looked_at = (name, file, unit), found
+                source = file_source(file) if file else None
+            found = body_of_source(source, unit) if source is not None else None
+            known = (found, reading_of_source(source, found)) if found is not None else None
+            self._looked_at = (name, file, unit), known
         return self._looked_at[1]
 
     def lock_source(self, locked: bool) -> None:

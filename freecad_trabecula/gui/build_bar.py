@@ -9,6 +9,7 @@ import FreeCAD
 from PySide import QtGui
 
 from ..core.engines import Estimate
+from ..core.estimates import scaffold_work
 from .child_work import Progress, progress_text, time_text
 from .fields import row_widget
 from .language import choice, in_words, local_number
@@ -83,9 +84,14 @@ class BuildBar(QtGui.QWidget):
         """Show what the scaffold will take before it is built, at least where that is not little."""
         self._estimate = ""
         if work is not None:
-            size = f"{local_number(work.bytes / 1e9, '.2f')} GB" if work.bytes > 1e8 else f"{work.bytes / 1e6:.0f} MB"
+            whole = scaffold_work(work)
+            size = (
+                f"{local_number(whole.memory / 1e9, '.2f')} GB"
+                if whole.memory > 1e8
+                else f"{whole.memory / 1e6:.0f} MB"
+            )
             text = translate("Trabecula", "Scaffold: {} engine, about {}, {}")
-            self._estimate = text.format(choice(work.engine), time_text(work.seconds), size)
+            self._estimate = text.format(choice(work.engine), time_text(whole.seconds), size)
             self.what.setToolTip(in_words(work.reason))
         if self._work.isHidden():
             self.show_idle()

@@ -16,6 +16,7 @@ from PySide import QtCore, QtGui
 from .. import make
 from ..errors import TrabeculaError
 from ..features.analysis import Analysis
+from ..features.estimates import work_of
 from ..features.feature import is_a
 from ..features.jobs import job_of
 from ..features.on_demand import COMPUTING, OUT_OF_DATE, Keyed
@@ -25,6 +26,7 @@ from .child_work import ChildWork, Progress, progress_text, start_task
 from .notice import tell_of
 from .qt import invoke_later
 from .transactions import transaction
+from .work_text import work_text
 
 translate = FreeCAD.Qt.translate
 _TURN = 50  # ms until a result that waits looks whether it is its turn
@@ -102,7 +104,7 @@ class Recomputing(QtCore.QObject):
             self._fail(owner, str(error))
             return
         self._works[owner], self._bars[owner] = work, bar
-        bar.show_start()
+        bar.show_start(_estimate(objects))
 
     def _objects(self, owner: Owner) -> List[Any]:
         """Those that wait: one alone, or a wireframe, which stands for its sites, and bodies made of it."""
@@ -184,6 +186,14 @@ class Recomputing(QtCore.QObject):
     def slotRedoDocument(self, document: Any) -> None:
         """Do the same for a step done again (FreeCAD's observer protocol)."""
         self.slotUndoDocument(document)
+
+
+def _estimate(objects: List[Any]) -> str:
+    """What the computing of objects will take; empty where it is little, or not known."""
+    try:
+        return work_text(work_of(objects))
+    except TrabeculaError:  # it will say itself what is missing
+        return ""
 
 
 def _show_present(name: str) -> None:

@@ -15,9 +15,10 @@ from ..core.estimates import Work
 from ..core.stl import whole_file
 from ..core.variants import MOST, RAYS, SCAFFOLD, VOXELS, Variants, seeds_from, spread
 from ..errors import ParameterError, TrabeculaError
+from ..features.estimates import variants_work
 from ..features.relations import type_of
 from ..features.tasks import write_variants_task
-from ..features.variants import read_variants, variants_work
+from ..features.variants import read_variants
 from .child_work import ChildWork, Progress, start_task, time_text
 from .fields import row_widget
 from .histogram import Histogram

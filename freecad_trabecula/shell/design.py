@@ -11,6 +11,7 @@ import FreeCAD
 
 from .. import make
 from ..core.bodies import Bodies, Check
+from ..core.estimates import Work
 from ..core.job import Job, job_to_json
 from ..core.presets import PRESETS, THESIS
 from ..core.progress import part
@@ -21,6 +22,7 @@ from ..core.wireframe import Wireframe
 from ..errors import ExportError, ParameterError
 from ..geometry.files import MESH_FORMATS, SHAPE_FORMATS
 from ..geometry.versions import versions
+from .analyse import teller
 from .folder import ResultFolder
 from .job_options import job_of_options
 from .products import products, stl_checks, write_products
@@ -86,7 +88,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
         return 0
     with ResultFolder(options["out"]) as folder:
         report("temporary", path=str(folder.aside))
-        record = write_design(job, folder, options["also"], Stopwatch(report))
+        record = write_design(job, folder, options["also"], Stopwatch(report), teller(job.name, report))
         _warn_of_old_files(folder, record, report)
     for text in record["warnings"]:
         report("warning", text=text)
@@ -119,11 +121,13 @@ def preset_list() -> str:
     return "\n".join(lines)
 
 
-def write_design(job: Job, folder: ResultFolder, also: List[str], watch: Stopwatch) -> Dict[str, Any]:
+def write_design(
+    job: Job, folder: ResultFolder, also: List[str], watch: Stopwatch, tell: Callable[[Work], None]
+) -> Dict[str, Any]:
     """Make a design, write all its files into the folder, and return its report."""
     document = FreeCAD.newDocument(_document_name(job))
     try:
-        made = make_job(document, job, watch)
+        made = make_job(document, job, watch, tell)
         meshes = {"scaffold": made.bodies.scaffold, "channels": made.bodies.channels}
         files = write_products(products(meshes, made.objects, also), folder, part(watch.progress, 0.85, 0.95))
         watch.lap("files")
@@ -163,11 +167,14 @@ def _document_name(job: Job) -> str:
     return "".join(c if c.isascii() and c.isalnum() else "_" for c in job.name) or "design"
 
 
-def make_job(document: FreeCAD.Document, job: Job, watch: Stopwatch) -> Made:
+def make_job(document: FreeCAD.Document, job: Job, watch: Stopwatch, tell: Callable[[Work], None]) -> Made:
     """Make envelope, sites, wireframe, network and scaffold of a job in a document, step by step."""
     progress = watch.progress
     try:
-        objects = make.make_design(document, job, progress=part(progress, 0.0, 0.1))
+        progress(0.0, 1.0, "envelope")
+        envelope = make.make_job_envelope(document, job)
+        tell(make.estimate_design(job, envelope.Shape))
+        objects = make.make_design(document, job, envelope=envelope, progress=part(progress, 0.0, 0.1))
     except ExportError as error:  # an envelope that cannot be read is wrong input
         raise ParameterError(str(error)) from error
     watch.lap(NETWORK_STEPS[0])

@@ -11,7 +11,7 @@ import importlib.util
 import numpy as np
 import pytest
 
-from freecad_trabecula.core import estimates
+from freecad_trabecula.core import engines, estimates
 from freecad_trabecula.core.analysis.analysis import analyse, contours_of
 from freecad_trabecula.core.analysis.branches import trace_branches
 from freecad_trabecula.core.analysis.cli_layers import write_cli
@@ -22,8 +22,6 @@ from freecad_trabecula.core.analysis.svg_layers import write_svg
 from freecad_trabecula.core.analysis.triangles import soup_of
 from freecad_trabecula.core.analysis.workbook import write_workbook
 from freecad_trabecula.core.estimates import Body, Work
-from freecad_trabecula.core.mesh_formats import write_3mf, write_obj, write_ply
-from freecad_trabecula.core.stl import write_stl
 from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.design import Estimate
 from freecad_trabecula.core.voxels.smooth_surface import smooth_surface
@@ -40,6 +38,17 @@ MEASURED = (
 )
 #: Planes an axis, contours an axis, share of the box; CPU seconds that their branches took, all three axes.
 BRANCHES = ((30, 59, 0.42, 0.021), (100, 508, 0.29, 0.385), (97, 8436, 0.19, 1.52), (968, 83260, 0.19, 257.0))
+
+
+#: Of designs: rods, faulty ones, triangles of the rods, seconds that the mesh engine says; CPU seconds that rods,
+#: solids and scaffold took.
+DESIGNS = (
+    (75, 0, 19800, 0.35, 1.60),
+    (147, 0, 38808, 1.23, 4.33),
+    (147, 2, 67032, 1.97, 5.58),
+    (188, 96, 121824, 3.63, 19.4),
+    (399, 141, 306432, 11.76, 45.3),
+)
 
 
 @pytest.fixture(scope="module")
@@ -78,35 +87,6 @@ def test_volume_and_surface_of_a_box_are_known_wherever_it_lies(box):
     assert (body.triangles, body.volume, body.surface) == (12, pytest.approx(6), pytest.approx(22))
     assert body.thickness == pytest.approx(12 / 22) and body.room == pytest.approx(6)
     assert body.box.tolist() == [[7, 8, 9], [8, 10, 12]]
-
-
-def test_a_binary_stl_is_known_at_a_glance_and_a_large_one_by_a_sample(tmp_path, sponge, sliced, monkeypatch):
-    write_stl(tmp_path / "a.stl", sponge)
-    body, path = sliced[0], tmp_path / "a.stl"
-    assert estimates.body_of_file(path)[0] == body.triangles == len(sponge.triangles)
-    assert estimates.body_of_file(path)[2:] == pytest.approx(body[2:], rel=1e-6)
-    monkeypatch.setattr(estimates, "_SAMPLE", len(sponge.triangles) // 10)
-    sample = estimates.body_of_file(path)
-    assert sample.triangles == body.triangles
-    assert sample.surface == pytest.approx(body.surface, rel=0.05)
-    assert sample.thickness == pytest.approx(body.thickness, rel=0.3)
-    assert np.abs(sample.box - body.box).max() < 0.3
-
-
-@pytest.mark.parametrize("kind", ["obj", "ply", "3mf"])
-def test_of_other_files_the_triangles_are_known_by_their_size(kind, tmp_path, sponge):
-    path = tmp_path / f"a.{kind}"
-    {"obj": write_obj, "ply": write_ply, "3mf": write_3mf}[kind](path, sponge)
-    body = estimates.body_of_file(path)
-    assert 0.5 < body.triangles / len(sponge.triangles) < 2
-    assert estimates.planes_of(SliceParameters(), body.box) == {}
-    assert estimates.analysis_work(body, []).seconds > 0
-    assert estimates.voxels(body) == 200**3
-
-
-def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):
-    with pytest.raises(OSError, match="nothing.stl"):
-        estimates.body_of_file(tmp_path / "nothing.stl")
 
 
 def test_a_body_in_another_unit_is_the_same_body():
@@ -194,6 +174,25 @@ def test_the_times_that_were_measured_are_said_within_a_half(
 @pytest.mark.parametrize("number, count, share, seconds", BRANCHES)
 def test_branches_take_what_they_were_measured_to(number, count, share, seconds):
     assert 1 / 1.5 < 3 * estimates.branches_seconds(number, count, share) / seconds < 1.5
+
+
+@pytest.mark.parametrize("rods, faulty, triangles, engine, seconds", DESIGNS)
+def test_designs_take_what_they_were_measured_to(rods, faulty, triangles, engine, seconds):
+    scaffold = estimates.scaffold_work(engines.Estimate("mesh", engine, 0.0, ""))
+    parts = (estimates.design_work(rods, faulty), estimates.network_work(triangles), scaffold)
+    assert 1 / 1.5 < sum(part.seconds for part in parts) / seconds < 1.5
+
+
+def test_memory_is_that_of_the_engine_and_of_the_voxels_and_what_any_such_work_needs():
+    engine = engines.Estimate("field", 1.0, 3e8, "")
+    assert 3e8 < estimates.scaffold_work(engine).memory < 4e8
+    design = Estimate((100, 100, 100), 10**6, 0.134, 1.0)
+    for work in (estimates.voxel_work(design), estimates.voxel_variant_work(design)):
+        assert work.memory == pytest.approx(1.34e8)
+    assert estimates.network_work(2000).memory - estimates.network_work(1000).memory == pytest.approx(
+        estimates.network_work(1000).memory - estimates.network_work(0).memory
+    )
+    assert 0 < estimates.analysis_work(Body(12, np.zeros((2, 3)), 1.0, 6.0), [(1, 1.0)]).memory < estimates.HEAVY[1]
 
 
 def test_more_triangles_planes_and_measures_take_longer_and_never_less_memory():

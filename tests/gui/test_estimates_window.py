@@ -10,14 +10,16 @@ from PySide import QtGui
 from window import WindowTest, settle, wait
 
 from freecad_trabecula import make
+from freecad_trabecula.core.analysis.parameters import SliceParameters
 from freecad_trabecula.core.estimates import Work
+from freecad_trabecula.core.mesh_formats import write_obj
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.core.stl import write_stl
 from freecad_trabecula.core.variants import SCAFFOLD
 from freecad_trabecula.features.analysis_source import body_of_source, object_source, soup_of_source
-from freecad_trabecula.features.variants import variants_work
+from freecad_trabecula.features.estimates import variants_work
 from freecad_trabecula.geometry.mesh_objects import core_mesh
-from freecad_trabecula.gui import analysis_saving, background, panels
+from freecad_trabecula.gui import analysis_saving, background, panels, recomputing
 from freecad_trabecula.gui.analysing import analyse_at_once
 from freecad_trabecula.gui.analysis_dock import dock_of_window
 from freecad_trabecula.gui.child_work import Progress
@@ -68,6 +70,35 @@ class EstimatesTest(WindowTest):
                 self.assertRegex(panel.message.text(), r"^Slices: .*; about \d+ s, \d.* of memory$")
                 panel.reject()
 
+    def test_the_panel_says_it_of_a_mesh_that_is_a_text(self):
+        mesh = core_mesh(make.make_scaffold(make.make_design(self.document, preset("case1")).wireframe).Mesh)
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(Path(folder) / "a.obj")
+            write_obj(path, mesh)
+            panels.open_analysis_of_file(self.document, path)
+            panel = panels.current()
+            panel.fields.layers.fields["thickness"].set_value(0.0005)
+            self.assertRegex(panel.message.text(), r"^Slices: X \d+, Y \d+, Z \d+; about \d+ s, \d.* of memory$")
+            panel.reject()
+
+    def test_a_recompute_says_it_in_the_status_bar(self):
+        said, asked = [], []
+        torus = self.torus()
+        analysis = make.make_analysis(self.document, torus, SliceParameters(thickness=1.0))
+        design = make.make_design(self.document, preset("case6"), ("scaffold",))
+        wireframe, design.scaffold.AutoUpdate = design.wireframe, True
+        with patch.object(recomputing, "work_of", lambda objects: asked.append(objects) or Work(64.0)), patch.object(
+            WorkBar, "show_start", lambda bar, text="": said.append(text)
+        ):
+            analysis.setExpression("SliceThickness", "0.001 mm")
+            wireframe.Seed = 5
+            self.document.recompute()
+            self.assertTrue(wait(lambda: len(said) == 2, 60))
+            recomputing.of_window().cancel()
+        self.assertEqual(said, 2 * ["about 1 min 4 s"])
+        self.assertEqual([objects[0].Name for objects in asked], [analysis.Name, wireframe.Name])
+        self.assertIn("Scaffold", [obj.Name for objects in asked for obj in objects])
+
     def test_triangles_of_solids_and_of_rods_are_told_within_a_half(self):
         wireframe = make.make_design(self.document, preset("case6")).wireframe
         for obj in (self.torus(), wireframe):
@@ -77,7 +108,7 @@ class EstimatesTest(WindowTest):
 
     def test_one_click_says_it_in_the_status_bar(self):
         said = []
-        with patch("freecad_trabecula.gui.analysing.analysis_work", lambda *_: Work(64.0)), patch.object(
+        with patch("freecad_trabecula.gui.analysing.work_of_analysis", lambda *_: Work(64.0)), patch.object(
             background.WorkBar, "show_start", lambda bar, text="": said.append(text)
         ):
             found = []
