@@ -6,6 +6,7 @@
     python3 tools/voxel_runs.py masks [--data DIR]       # a sphere and the femur's head, filled; by all strategies
     python3 tools/voxel_runs.py small [--seeds 3]        # small samples with full layers: solved and refused
     python3 tools/voxel_runs.py growth                   # 50^3 to 512^3; draws docs/pictures/voxels-growth.png
+    python3 tools/voxel_runs.py grown --edges 400 --waves 8 [--profile 20]  # one box; which functions take the time
 
 Samples are the shrew cube and the human bone at 0.1 mm. Times are CPU seconds of one thread; the texture is fitted once
 for a sample, and its time is told apart. ``--pictures DIR``: layers of the bone above those of designs.
@@ -14,6 +15,7 @@ for a sample, and its time is told apart. ``--pictures DIR``: layers of the bone
 from __future__ import annotations
 
 import argparse
+import cProfile
 import json
 import os
 import resource
@@ -57,11 +59,23 @@ GOALS = ([(100, 2.5), (200, 5), (400, 60), (512, 180)], [(400, 3), (512, 6)])
 SAMPLES = {"shrew": "shrew_cube_10mm.stl", "human": "trab_ior_10mm_13MB.stl"}
 
 
-def made(targets, parameters, mask=None):
-    """Return a design and its CPU seconds."""
+def made(targets, parameters, mask=None, most=0):
+    """Return a design and its CPU seconds; tell on stderr the functions, so many, that take most of them."""
+    profile = cProfile.Profile(time.process_time)
+    strategy = find_strategy(parameters.strategy)
     start = time.process_time()
-    voxels = find_strategy(parameters.strategy).design(targets, parameters, mask, silent)
-    return voxels, time.process_time() - start
+    if most:
+        profile.enable()
+    voxels = strategy.design(targets, parameters, mask, silent)
+    profile.disable()
+    seconds = time.process_time() - start
+    if most:
+        profile.create_stats()
+        shown = sorted(((spent[3], *spent[2::-2], place) for place, spent in profile.stats.items()), reverse=True)
+        print("    with    own   calls of what", file=sys.stderr)
+        for whole, own, calls, (file, row, name) in shown[:most]:
+            print(f"{whole:8.2f} {own:6.2f} {calls:7d} {Path(file).name}:{row} {name}", file=sys.stderr)
+    return voxels, seconds
 
 
 def line(name, voxels, targets, seconds, mask=None):
@@ -89,7 +103,7 @@ def seeds(options):
         designs, times, good, deviations = [], [], 0, []
         for seed in range(1, options.seeds + 1):
             try:
-                voxels, seconds = made(targets, VoxelParameters(seed=seed, **chosen))
+                voxels, seconds = made(targets, VoxelParameters(seed=seed, **chosen), None, options.profile)
             except ExactnessError as error:
                 print(f"{name} seed {seed}: refused: {error}", flush=True)
                 continue
@@ -217,7 +231,7 @@ def grown(options):
     finer = targets_within(np.ones((edge,) * 3, bool), at)
     waves = options.waves or WAVE * edge / 100
     chosen = VoxelParameters(wavelength=waves * finer.voxel[0], rods=0.3, contacts=options.contacts)
-    voxels, seconds = made(finer, chosen)
+    voxels, seconds = made(finer, chosen, None, options.profile)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     faults = len(layer_errors(voxels, finer)) + abs(len(parts(voxels)[1]) - 2) + edge_contacts(voxels)
     print(json.dumps([edge, waves, seconds, peak, faults]))
@@ -274,6 +288,9 @@ def main():
     parser.add_argument("--void", type=int, default=1)
     parser.add_argument("--edges", type=int, nargs="+", default=[50, 100, 200, 400, 512])
     parser.add_argument("--waves", type=float, default=0, help="of one box, voxels; 0: they grow with it")
+    parser.add_argument(
+        "--profile", type=int, default=0, help="of seeds and one box: so many functions, by their CPU seconds"
+    )
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--data", type=Path, default=DATA)
     options = parser.parse_args()

@@ -281,11 +281,15 @@ class Solid:
             code |= self.flat[index + self.offsets[bit]].astype(np.int32) << bit
         return code
 
-    def contact_changes(self, index: np.ndarray) -> tuple:
-        """Return how the contacts by an edge, and by a corner, change when voxels (C,) are flipped: two int8 (C,)."""
-        code = self.codes(index, True)
+    def contact_changes(self, index: np.ndarray, corners: bool = True) -> tuple:
+        """Return how the contacts by an edge, and by a corner, change when voxels (C,) are flipped: two int8 (C,).
+
+        Those by a corner are 0 where they are not asked for, which takes half the time.
+        """
+        code = self.codes(index, corners)
         sign = 1 - 2 * self.flat[index].astype(np.int8)
-        return sign * edge_contact_changes()[code & _LOW_BITS], sign * corner_contact_changes(code)
+        by_corner = sign * corner_contact_changes(code) if corners else np.zeros_like(sign)
+        return sign * edge_contact_changes()[code & _LOW_BITS], by_corner
 
     def _rules_kept(self, code: np.ndarray, sign: int) -> np.ndarray:
         """Return which flips keep contacts and planes as they must be; sign is 1 for adding, -1 for removing."""
@@ -335,10 +339,15 @@ class Solid:
         """
         if self._preference is None:
             self._preference = np.zeros(self.flat.size, np.int32)
-        worth = np.arange(len(index), 0, -1, dtype=np.int32)
-        self._preference[index] = worth
-        best = np.ones(len(index), bool)
-        for offset in self.offsets:
-            best &= self._preference[index + offset] < worth
+        order = np.argsort(index)  # neighbours in space are near in memory too
+        places, worth = index[order], np.int32(len(index)) - order.astype(np.int32)
+        self._preference[places] = worth
+        for some in (self.offsets[:6], self.offsets[6:18], self.offsets[18:]):  # who is beaten is looked at no more
+            best = np.ones(len(places), bool)
+            for offset in some:
+                best &= self._preference[places + offset] < worth
+            places, worth, order = places[best], worth[best], order[best]
         self._preference[index] = 0
-        return best
+        chosen = np.zeros(len(index), bool)
+        chosen[order] = True
+        return chosen

@@ -143,15 +143,16 @@ def remove_contacts(moves: ExactMoves, corners: bool = False) -> Tuple[int, int]
 def _kept_sites(old: np.ndarray, new: np.ndarray) -> np.ndarray:
     """Return sites of both lists, each once."""
     both = np.concatenate([old, new])
-    keys = np.sort(both, axis=1)
-    _, first = np.unique(keys, axis=0, return_index=True)
-    return both[np.sort(first)]
+    # the first place and the way to the one across tell which site it is
+    across = both[:, 1] - both[:, 0]
+    keys = both[:, 0] * (across.max(initial=0) + 1) + across
+    return both[np.unique(keys, return_index=True)[1]]
 
 
 def _undo_some(moves: ExactMoves, index: np.ndarray, corners: bool) -> np.ndarray:
     """Flip, of voxels (C,) at contacts, those that undo contacts and may go together; returns them."""
     solid = moves.solid
-    edge_change, corner_change = solid.contact_changes(index)
+    edge_change, corner_change = solid.contact_changes(index, corners)
     gain = -edge_change.astype(np.int64)
     if corners:
         gain = 8 * gain - corner_change  # an edge is never given for corners

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One part without closed cavities: large islands are joined by bars, small ones dropped, cavities filled.
 
-What that adds and takes is made good by the field's offsets when it is much, by exact moves when it is little.
+What that adds and takes is made good by the field's offsets when it is much, by exact moves when it is little. Where
+waves are so short that small islands are many, what hangs together is looked for below the level: islands that the
+lower level will join are kept, and those that it will not are dropped with the shell that would come up around them.
 """
 
 from __future__ import annotations
 
-from typing import List, Sequence, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -21,6 +23,9 @@ LEAST_ISLAND = 5e-4
 _SMALLEST_ISLAND, _LARGEST_LEAST = 8, 150
 #: Changes up to this share of the voxels are left to exact moves; more than that goes through the field again.
 _LITTLE = 0.01
+#: Small islands of more than this share of the voxels are judged below the level; what is left then is little.
+_MANY, _LITTLE_OF_MANY = 0.05, 0.04
+_DEEPER = 1.5  # voxels that the lower level adds for each one dropped: some of them are islands again
 _ROUNDS = 5
 _LIFT = np.float32(4.0)  # above all that a field spans
 _FIRST_MARGIN = 8  # voxels around an island that are searched first for its neighbour
@@ -46,16 +51,28 @@ def joined_solid(
         If nothing solid is left.
     """
     total = int(targets[0].sum())
-    offsets = None
+    mask = field > FORBIDDEN / 2
+    offsets, little = None, _LITTLE
     for attempt in range(_ROUNDS):
         widest = 0.5 if offsets is None else 2.0**-6
         offsets = newton_offsets(field, targets, offsets, widest, progress=progress)
         offsets = polished(field, targets, offsets, 1, progress)
         wanted = solid_of(field, offsets)
-        solid = one_part(wanted, field > FORBIDDEN / 2, progress)
-        changed = solid != wanted
-        if np.count_nonzero(changed) <= _LITTLE * total or attempt == _ROUNDS - 1:
-            break
+        found = parts(wanted)
+        small = int(found[1][found[1] < _least_island(total)].sum())
+        if small > _MANY * total and attempt < _ROUNDS - 1:
+            del found
+            little = _LITTLE_OF_MANY
+            depth = depth_below_level(field, offsets, total + _DEEPER * small)
+            wanted = solid_of(field, [offsets[0] + depth, *offsets[1:]])
+            solid = _hung_together(wanted, mask, progress)
+            changed = solid != wanted
+        else:
+            solid = one_part(wanted, mask, progress, found=found)
+            del found
+            changed = solid != wanted
+            if np.count_nonzero(changed) <= little * total or attempt == _ROUNDS - 1:
+                break
         field[changed & solid] += _LIFT
         field[changed & wanted] -= _LIFT
     if not solid.any():
@@ -63,7 +80,27 @@ def joined_solid(
     return solid, offsets
 
 
-def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent, bar: np.ndarray = _BAR) -> np.ndarray:
+def _least_island(total: int) -> float:
+    """Return how many voxels an island must have to be joined to a solid of so many."""
+    return min(max(_SMALLEST_ISLAND, LEAST_ISLAND * total), _LARGEST_LEAST)
+
+
+def depth_below_level(field: np.ndarray, offsets: Sequence[np.ndarray], wanted: float) -> np.float32:
+    """Return how far under the level of field + offsets about so many voxels are solid, from every third voxel."""
+    a, b, c = (np.asarray(o, np.float32)[::3] for o in offsets)
+    heights = np.sort((field[::3, ::3, ::3] + (a[:, None, None] + (b[:, None] + c))).reshape(-1))
+    rank = heights.size - int(wanted / field.size * heights.size)
+    highest = heights[np.clip(rank, 0, heights.size - 1)]
+    return max(np.float32(0), -highest) if highest > FORBIDDEN / 2 else np.float32(0)
+
+
+def one_part(
+    solid: np.ndarray,
+    mask: np.ndarray,
+    progress: Progress = silent,
+    bar: np.ndarray = _BAR,
+    found: Optional[tuple] = None,
+) -> np.ndarray:
     """Return the solid as one part: islands joined or dropped, closed cavities filled.
 
     Parameters
@@ -73,11 +110,26 @@ def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent, b
     progress : callable
     bar : ndarray of shape (B, 3), int
         Steps (z, y, x) that bars cover around their lines.
+    found : tuple, optional
+        The solid's ``parts``, where they are known.
     """
+    solid = _hung_together(solid, mask, progress, bar, found)
+    cavities, sizes = closed_cavities(solid, mask)
+    progress(1, 1, "islands")
+    if len(sizes) > 1:
+        solid |= cavities > 0
+    return solid
+
+
+def _hung_together(
+    solid: np.ndarray, mask: np.ndarray, progress: Progress, bar: np.ndarray = _BAR, found: Optional[tuple] = None
+) -> np.ndarray:
+    """Return the solid as one part: islands joined or dropped; parameters as of ``one_part``."""
     solid = solid.copy()
-    least = min(max(_SMALLEST_ISLAND, LEAST_ISLAND * np.count_nonzero(solid)), _LARGEST_LEAST)
+    least = _least_island(np.count_nonzero(solid))
     while True:
-        labels, sizes = parts(solid)
+        labels, sizes = parts(solid) if found is None else found
+        found = None
         progress(0, 1, "islands")
         islands = np.flatnonzero(sizes >= least)
         if len(islands) < 2:
@@ -88,10 +140,6 @@ def one_part(solid: np.ndarray, mask: np.ndarray, progress: Progress = silent, b
             break
     if len(sizes) > 2:
         solid &= labels == int(np.argmax(sizes))
-    cavities, sizes = closed_cavities(solid, mask)
-    progress(1, 1, "islands")
-    if len(sizes) > 1:
-        solid |= cavities > 0
     return solid
 
 

@@ -4,9 +4,10 @@
 import numpy as np
 import pytest
 
+from freecad_trabecula.core.voxels import joining
 from freecad_trabecula.core.voxels.connectivity import closed_cavities, parts
-from freecad_trabecula.core.voxels.joining import joined_solid, one_part
-from freecad_trabecula.core.voxels.plane_offsets import layer_sums
+from freecad_trabecula.core.voxels.joining import depth_below_level, joined_solid, one_part
+from freecad_trabecula.core.voxels.plane_offsets import FORBIDDEN, layer_sums, on_field
 from freecad_trabecula.core.voxels.texture import Texture, trabecular_field
 from freecad_trabecula.errors import ExactnessError
 
@@ -71,6 +72,28 @@ def test_a_field_becomes_one_part_with_nearly_its_counts():
     assert len(parts(solid)[1]) == 2
     assert len(closed_cavities(solid)[1]) == 1
     assert max(np.abs(s - 240).max() for s in layer_sums(solid)) < 60
+
+
+def test_short_waves_take_two_fits_and_one_for_what_little_is_left(monkeypatch):
+    # dropping only the islands of the level brings up their shells, again and again: five fits did not do
+    fits = []
+    fit = joining.newton_offsets
+    monkeypatch.setattr(joining, "newton_offsets", lambda *a, **k: (fits.append(1), fit(*a, **k))[1])
+    field = trabecular_field(Texture((7.0,) * 3), (72, 72, 72), 5)
+    joined_solid(field, [np.full(72, 936)] * 3)
+    assert len(fits) <= 3
+
+
+def test_the_lower_level_holds_about_so_many_voxels_and_is_never_higher():
+    field = trabecular_field(Texture((7.0,) * 3), (60, 50, 40), 5)
+    offsets = [np.linspace(0.2, 0.3, 60), np.zeros(50), np.linspace(0.0, 0.1, 40)]
+    heights = on_field(field, offsets)
+    solid = np.count_nonzero(heights > 0)
+    depth = depth_below_level(field, offsets, 1.4 * solid)
+    assert np.count_nonzero(heights > -depth) == pytest.approx(1.4 * solid, rel=0.1)
+    assert depth_below_level(field, offsets, 0.5 * solid) == 0
+    field[20:] = FORBIDDEN  # not so many voxels may be solid
+    assert depth_below_level(field, offsets, 0.9 * field.size) == 0
 
 
 def test_counts_of_nothing_are_refused():
