@@ -157,6 +157,48 @@ def test_every_line_for_the_shell_is_one_that_the_shell_takes():
         assert command.name == words[0]
 
 
+@pytest.mark.parametrize("page, folder", [("analysis.md", "core/analysis"), ("voxels.md", "core/voxels")])
+def test_the_table_of_modules_has_all_of_them_and_no_other(page, folder):
+    passage = (DOCS / page).read_text(encoding="utf-8").partition("## Modules")[2].partition("\n## ")[0]
+    modules = (ROOT / "freecad_trabecula" / folder).glob("[a-z]*.py")
+    assert sorted(set(re.findall(r"`(\w+\.py)`", passage))) == sorted(path.name for path in modules)
+
+
+_PLACES = re.compile(r"(core|geometry|features|gui|shell|tests|tools|resources|docs)/[\w./-]+")
+
+
+def is_there(code):
+    """Return whether what a page names in code is there: a rule of make, a tool and its options, a function, a file."""
+    words = code.split()
+    tool = next((ROOT / word for word in words if word.startswith("tools/")), None)
+    if words[0] == "make" and len(words) > 1:
+        rules = re.findall(r"^([\w -]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+        return words[1].replace("-latest", "") in " ".join(rules).split()
+    if words[0] in ("sh", "python3") and tool:
+        text = tool.read_text(encoding="utf-8") if tool.is_file() else ""
+        return bool(text) and all(flag in text for flag in re.findall(r"--[a-z][\w-]*", code))
+    if _PLACES.fullmatch(code):
+        return any((base / code).exists() for base in (ROOT, ROOT / "freecad_trabecula"))
+    return set(re.findall(r"\bmake\.(\w+)", code)) <= {*script_names(), "py"}
+
+
+def faults_of_code(text):
+    """Return what a page names in code and is not there."""
+    return [code for code in re.findall(r"`([^`\n]+)`", without_code(text)) if not is_there(code)]
+
+
+def test_rules_tools_functions_and_files_that_pages_name_are_there():
+    faults = {named(page): faults_of_code(page.read_text(encoding="utf-8")) for page in PAGES}
+    assert {page: found for page, found in faults.items() if found} == {}
+
+
+def test_what_a_page_names_and_what_is_not_there_is_found():
+    right = "`make test-latest` `python3 tools/stalls.py --only` `make.make_box()` `core/strips.py` `docs/job.md`"
+    assert faults_of_code(right) == []
+    wrong = ["make nothing", "sh tools/none.sh", "python3 tools/stalls.py --none", "make.make_none()", "tests/none.py"]
+    assert faults_of_code(" ".join(f"`{code}`" for code in wrong)) == wrong
+
+
 @pytest.mark.parametrize("language, column", [("it", 2), ("de", 3)])
 def test_the_glossary_has_the_words_of_the_translations(language, column):
     text = (DOCS / "glossary.md").read_text(encoding="utf-8").partition("## Measures")[0]

@@ -124,10 +124,20 @@ def job_from_json(text: str) -> Job:
         If it is no JSON, or a key, type or value is wrong; the message says where.
     """
     try:
-        record = json.loads(text, parse_constant=_refuse_constant)
+        record = json.loads(text, parse_constant=_refuse_constant, object_pairs_hook=_without_doubles)
     except (ValueError, RecursionError) as error:
         raise ParameterError(f"a job must be JSON: {error}") from error
     return from_record(Job, record, "job")
+
+
+def _without_doubles(pairs: Sequence[Tuple[str, Any]]) -> Dict[str, Any]:
+    """Return the object of these keys; JSON would let the last of two values of one key win without a word."""
+    found: Dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
+            raise ParameterError(f"a key of a job may stand once in its object, got {key!r} twice")
+        found[key] = value
+    return found
 
 
 def _refuse_constant(name: str) -> None:
@@ -194,7 +204,7 @@ def read_job(path: str) -> Job:
         If the file cannot be read, or is no job.
     """
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        text = Path(path).read_text(encoding="utf-8-sig")  # editors on Windows put a mark in front
     except OSError as error:
         raise ParameterError(f"the job file {path} cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:

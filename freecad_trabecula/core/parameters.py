@@ -45,7 +45,11 @@ def _finite(value: float, name: str, unit: str, low: float = -math.inf, high: fl
         rule = f"must be at least {low:g}"
     else:
         rule = f"must lie in {low:g}..{high:g}"
-    require(math.isfinite(value) and low <= value <= high, f"{name} {rule}", f"{value:g}", unit)
+    try:
+        holds, got = math.isfinite(value) and low <= value <= high, f"{value:g}"
+    except (TypeError, ValueError):  # a text, nothing, a list
+        holds, got = False, f"{value!r:.60}"
+    require(holds, f"{name} {rule}", got, unit)
 
 
 def _one_of(value: str, name: str, allowed: Tuple[str, ...]) -> None:
@@ -217,7 +221,8 @@ class SiteEdit:
 
     def __post_init__(self) -> None:
         _one_of(self.action, "the change of a site", SITE_ACTIONS)
-        require("." in self.site, "a site's name must read face.i.j", repr(self.site))
+        named = isinstance(self.site, str) and "." in self.site
+        require(named, "a site's name must read face.i.j", repr(self.site))
         if self.action in ("move", "add"):
             require(self.point is not None, f"to {self.action} site {self.site} a point is needed", self.point)
             for value in self.point or ():

@@ -25,6 +25,7 @@ from ..core.records import from_record, to_record
 from ..errors import ExportError, ParameterError
 from . import results
 from .analysis_source import Source, file_source, object_source, read_source_soup, soup_of_source, write_source
+from .arguments import given_object
 from .base import read_parameters, write_parameters
 from .feature import Property, result
 from .on_demand import OnDemand, waiting
@@ -192,7 +193,7 @@ def analysis_of(obj: Any) -> core.Analysis:
     >>> make.analysis_of(make.make_analysis(box.Document, box)).profiles["x"].sliced_area.round(9)[:3].tolist()
     [12.0, 12.0, 12.0]
     """
-    if not obj.ResultKey:
+    if not given_object(obj, Analysis).ResultKey:
         raise ParameterError(f"{obj.Label} must have been computed, got: {obj.Status or 'nothing yet'}")
     found = results.find(Analysis.KIND, obj.ResultKey) or results.find(PROFILES, obj.ResultKey)
     if found is not None:
@@ -234,7 +235,7 @@ def contours_of(obj: Any, axis: str, progress: Progress = silent) -> Contours:
     >>> len(make.contours_of(make.make_analysis(box.Document, box), "z"))
     40
     """
-    inputs = obj.Proxy.inputs(obj)
+    inputs = given_object(obj, Analysis).Proxy.inputs(obj)
     if inputs.key != obj.ResultKey:
         raise ParameterError(f"{obj.Label} must be up to date for its contours, got: {obj.Status}")
     if axis not in inputs.parameters.axes:

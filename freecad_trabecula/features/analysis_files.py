@@ -21,6 +21,7 @@ from ..core.progress import Progress, part, silent
 from ..errors import ExportError, ParameterError
 from . import results
 from .analysis import Analysis, analysis_of, contours_of, run_inputs, write_inputs
+from .arguments import given_object, given_objects
 
 NO_PLOTS = "none"
 
@@ -79,7 +80,7 @@ def save_comparison(
     >>> "report.md" in make.save_comparison(analyses, tempfile.mkdtemp(), plots="none")
     True
     """
-    whole = [whole_analysis(obj, part(progress, 0.0, 0.5)) for obj in analyses]
+    whole = [whole_analysis(obj, part(progress, 0.0, 0.5)) for obj in given_objects(analyses, Analysis)]
     return write_comparison(whole, folder, plots, alignment, part(progress, 0.5, 1.0))
 
 
@@ -91,7 +92,7 @@ def whole_analysis(obj: Any, progress: Progress = silent) -> core.Analysis:
     ParameterError
         If the object is out of date.
     """
-    key = obj.Proxy.key(obj)
+    key = given_object(obj, Analysis).Proxy.key(obj)
     if key != obj.ResultKey:
         raise ParameterError(f"{obj.Label} must be up to date to be saved, got: {obj.Status}")
     return results.found_or_made(Analysis.KIND, key, lambda: obj.Proxy.make(obj, progress))

@@ -11,12 +11,14 @@ import numpy as np
 
 from ..core.analysis import comparison, passport
 from ..core.analysis.parameters import SliceParameters
+from ..core.analysis.triangles import UNITS
 from ..core.booleans import manifold_available
 from ..core.progress import Progress, silent
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError
 from ..geometry.sections import exact_areas
 from .analysis import Analysis, analysis_of, write_slice_parameters
+from .arguments import given_in, given_object, given_objects, given_value
 from .base import read_parameters
 from .feature import is_a, update
 from .makers import add, all_or_nothing
@@ -67,8 +69,14 @@ def make_analysis(
     (90, 24.0)
     """
     is_file = isinstance(source, str)
+    if not is_file:
+        given_in(document, given_object(source))
+    if unit not in ("auto", *UNITS):
+        raise ParameterError(f"the unit of a file must be one of auto, {', '.join(UNITS)}, got {unit!r}")
+    given_value(parameters, SliceParameters, type(None))
     if envelope == "design":
         envelope = None if is_file else design_envelope(source)
+    given_in(document, envelope)
     with all_or_nothing(document):
         obj = add(document, Analysis, "Analysis", "App::FeaturePython")
         if is_file:
@@ -95,7 +103,7 @@ def change_analysis(
     Raises
     ------
     TrabeculaError
-        If a value is refused; the caller's transaction takes back what was changed.
+        If a value is refused; the document is as it was.
 
     Examples
     --------
@@ -108,9 +116,12 @@ def change_analysis(
     >>> analysis.Slices
     18
     """
-    write_slice_parameters(obj, parameters)
-    obj.Morphometry, obj.Envelope = morphometry, envelope
-    update(obj, progress)
+    given_value(parameters, SliceParameters)
+    given_in(given_object(obj, Analysis).Document, envelope)
+    with all_or_nothing(obj.Document, [obj]):
+        write_slice_parameters(obj, parameters)
+        obj.Morphometry, obj.Envelope = morphometry, envelope
+        update(obj, progress)
 
 
 def exact_slices(obj: Any, axis: str, progress: Progress = silent) -> np.ndarray:
@@ -141,7 +152,8 @@ def exact_slices(obj: Any, axis: str, progress: Progress = silent) -> np.ndarray
     >>> make.exact_slices(make.make_analysis(box.Document, box), "x").round(9)[:2].tolist()
     [12.0, 12.0]
     """
-    shape, profiles = getattr(obj.Source, "Shape", None), analysis_of(obj).profiles
+    profiles = analysis_of(obj).profiles
+    shape = getattr(obj.Source, "Shape", None)
     if shape is None or not shape.Solids:
         raise ParameterError(f"exact slices are those of a solid, got {obj.Source.Label if obj.Source else 'a file'}")
     if axis not in profiles:
@@ -196,7 +208,8 @@ def compare_analyses(
     >>> found.axes["x"].values["sliced_area"].round(9)[:, 0].tolist()
     [9.0, 12.0]
     """
-    return comparison.compare([analysis_of(obj) for obj in analyses], thickness, alignment)
+    given_value(thickness, int, float, type(None))
+    return comparison.compare([analysis_of(obj) for obj in given_objects(analyses)], thickness, alignment)
 
 
 def passport_of(

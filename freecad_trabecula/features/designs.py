@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Sequence
+from typing import Any, List, NamedTuple, Sequence
 
 import FreeCAD
 
 from ..core.job import Job
 from ..core.progress import Progress, part, silent
+from ..errors import ParameterError
+from .arguments import given_in, given_object, given_value
 from .base import write_parameters
 from .face_sites import FaceSites
 from .feature import update
@@ -24,6 +26,7 @@ from .makers import (
     set_wireframe_parameters,
 )
 from .prism_sites import PrismSites
+from .wireframe import Wireframe
 
 #: What can be made of a wireframe: the rods' solids, the scaffold as a mesh.
 PARTS = ("network", "scaffold")
@@ -73,8 +76,13 @@ def make_design(
     >>> make.make_design(document, preset("case1")).wireframe.Rods
     75
     """
+    given_value(job, Job)
+    unknown = [one for one in given_value(parts, tuple, list) if one not in PARTS]
+    if unknown:
+        raise ParameterError(f"parts of a design are {', '.join(PARTS)}, got {unknown[0]!r}")
     with all_or_nothing(document):
         progress(0.0, 1.0, "envelope")
+        given_in(document, envelope)
         envelope = envelope or make_job_envelope(document, job)
         sites = _job_sites(envelope, job, part(progress, 0.05, 0.3))
         wireframe = make_wireframe(envelope, sites, job.wireframe, part(progress, 0.3, 0.4))
@@ -120,7 +128,7 @@ def change_design(wireframe: Any, job: Job, progress: Progress = silent) -> None
     Raises
     ------
     TrabeculaError
-        If a step fails; the caller's transaction takes back what was changed.
+        If a step fails; the document is then as it was.
 
     Examples
     --------
@@ -133,26 +141,33 @@ def change_design(wireframe: Any, job: Job, progress: Progress = silent) -> None
     >>> wireframe.Rods
     147
     """
+    given_object(wireframe, Wireframe)
+    given_value(job, Job)
     envelope, old = wireframe.Envelope, list(wireframe.Sites)
-    if job.prism is not None and envelope.TypeId == "Part::Box":
-        envelope.Length, envelope.Width, envelope.Height = job.prism.l, job.prism.w, job.prism.h
-        update(envelope)
-    wanted = list(job.faces) or [job.prism]
-    kept = {}
-    for one in old:
-        kept[type(one.Proxy), getattr(one.Proxy.parameters(one), "face", "")] = one
-    sites = []
-    for parameters in wanted:
-        key = (FaceSites if job.faces else PrismSites, getattr(parameters, "face", ""))
-        if key in kept:
-            write_parameters(kept[key], parameters)
-            update(kept[key])
-            sites.append(kept[key])
-        else:
-            sites.append(make_face_sites(envelope, parameters) if job.faces else make_prism_sites(envelope, parameters))
-    wireframe.Sites = sites
-    set_wireframe_parameters(wireframe, job.wireframe)
+    with all_or_nothing(wireframe.Document, [*([envelope] if envelope else []), *old, wireframe]):
+        if job.prism is not None and envelope.TypeId == "Part::Box":
+            envelope.Length, envelope.Width, envelope.Height = job.prism.l, job.prism.w, job.prism.h
+            update(envelope)
+        wireframe.Sites = sites = _changed_sites(envelope, old, job)
+        set_wireframe_parameters(wireframe, job.wireframe)
+        update(wireframe, progress)
     for one in old:
         if one not in sites and not one.InList:
             wireframe.Document.removeObject(one.Name)
-    update(wireframe, progress)
+
+
+def _changed_sites(envelope: Any, old: Sequence[Any], job: Job) -> List[Any]:
+    """Return the sites that a job names: of those that are there as many as there are, changed; the others new."""
+    kept = {(type(one.Proxy), getattr(one.Proxy.parameters(one), "face", "")): one for one in old}
+    sites = []
+    for parameters in list(job.faces) or [job.prism]:
+        found = kept.get((FaceSites if job.faces else PrismSites, getattr(parameters, "face", "")))
+        if found is not None:
+            write_parameters(found, parameters)
+            update(found)
+        elif job.faces:
+            found = make_face_sites(envelope, parameters)
+        else:
+            found = make_prism_sites(envelope, parameters)
+        sites.append(found)
+    return sites

@@ -5,15 +5,17 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence
 
-from ..core.parameters import SiteEdit
-from ..errors import TrabeculaError
+from ..core.parameters import Point, SiteEdit
+from ..errors import ParameterError, TrabeculaError
+from .arguments import given_object, given_value
 from .base import lines_of, records_of
 from .feature import update
+from .wireframe import Wireframe
 
 
 def edits_of(wireframe: Any) -> Sequence[SiteEdit]:
     """Return the changes by hand of a wireframe object."""
-    return records_of(wireframe.Edits, SiteEdit, "edit")
+    return records_of(given_object(wireframe, Wireframe).Edits, SiteEdit, "edit")
 
 
 def set_pore(wireframe: Any, site: str, size: Optional[float] = None, turns: Optional[Sequence[float]] = None) -> None:
@@ -43,6 +45,9 @@ def set_pore(wireframe: Any, site: str, size: Optional[float] = None, turns: Opt
     >>> wireframe.Edits
     ['{"site": "Face1.2.3", "action": "pore", "size": 0.5}']
     """
+    if size is None and turns is None:
+        raise ParameterError(f"the pore at {site} must get a size or tangent components, got neither")
+    given_value(turns, list, tuple, type(None))
     _edit(wireframe, SiteEdit(site, "pore", size=size, turns=None if turns is None else tuple(turns)))
 
 
@@ -59,7 +64,7 @@ def move_site(wireframe: Any, site: str, point: Sequence[float]) -> None:
     >>> len(wireframe.Edits)
     1
     """
-    _edit(wireframe, SiteEdit(site, "move", point=tuple(float(c) for c in point)))
+    _edit(wireframe, SiteEdit(site, "move", point=_point(point)))
 
 
 def switch_off_site(wireframe: Any, site: str) -> None:
@@ -94,7 +99,7 @@ def add_site(wireframe: Any, face: str, point: Sequence[float]) -> str:
     """
     own = [e for e in edits_of(wireframe) if e.action == "add" and e.site.split(".")[0] == face]
     name = f"{face}.hand.{len(own) + 1}"
-    _edit(wireframe, SiteEdit(name, "add", point=tuple(float(c) for c in point)))
+    _edit(wireframe, SiteEdit(name, "add", point=_point(point)))
     return name
 
 
@@ -117,6 +122,14 @@ def take_back_edits(wireframe: Any, site: str) -> None:
     edits = edits_of(wireframe)
     added = [e for e in edits if e.site == site and e.action == "add"]
     _set_edits(wireframe, [e for e in edits if e.site != site] + added + [SiteEdit(site) for _ in added])
+
+
+def _point(point: Sequence[float]) -> Point:
+    try:
+        x, y, z = (float(one) for one in point)
+    except (TypeError, ValueError):
+        raise ParameterError(f"a point must be three numbers in mm, got {point!r:.60}") from None
+    return (x, y, z)
 
 
 def _edit(wireframe: Any, edit: SiteEdit) -> None:

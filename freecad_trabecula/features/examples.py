@@ -22,6 +22,7 @@ from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError
 from ..geometry.mesh_objects import mesh_object
 from .analysis_makers import make_analysis
+from .arguments import given_value
 from .designs import make_design
 from .makers import all_or_nothing
 from .voxel_makers import make_voxel_design
@@ -111,7 +112,7 @@ def make_example(document: FreeCAD.Document, name: str, progress: Progress = sil
     >>> [obj.Label for obj in document.Objects]
     ['Specimen A', 'Analysis Specimen A', 'Specimen B', 'Analysis Specimen B']
     """
-    if name not in EXAMPLES:
+    if given_value(name, str) not in EXAMPLES:
         raise ParameterError(f"an example must be one of {', '.join(EXAMPLES)}, got {name!r}")
     with all_or_nothing(document):
         EXAMPLES[name](document, progress)

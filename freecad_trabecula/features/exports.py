@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from ..errors import ParameterError
 from ..geometry.files import write_mesh, write_shape
 from ..geometry.mesh_objects import core_mesh
+from .arguments import given_object, given_value
 from .on_demand import OUT_OF_DATE
 
 
@@ -39,7 +41,7 @@ def export(obj: Any, path: str) -> None:
     >>> os.path.getsize(path) == 84 + 50 * scaffold.Mesh.CountFacets
     True
     """
-    if not obj.isValid():
+    if not given_object(obj).isValid():
         raise ParameterError(
             f"{obj.Label} must be without error to be written, got {getattr(obj, 'Status', 'an error')}"
         )
@@ -48,8 +50,8 @@ def export(obj: Any, path: str) -> None:
     if hasattr(obj, "Mesh"):
         if not obj.Mesh.CountFacets:
             raise ParameterError(f"{obj.Label} must have triangles to be written, got 0")
-        write_mesh(path, core_mesh(obj.Mesh))
+        write_mesh(given_value(path, str, Path), core_mesh(obj.Mesh))
     elif hasattr(obj, "Shape"):
-        write_shape(path, obj.Shape)
+        write_shape(given_value(path, str, Path), obj.Shape)
     else:
         raise ParameterError(f"{obj.Label} must have a mesh or a shape to be written, got neither")

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Dict, NamedTuple, Tuple, Type
 import FreeCAD
 
 from ..core.progress import Progress, silent
-from ..errors import KernelError, TrabeculaError
+from ..errors import KernelError, ParameterError, TrabeculaError
 from ..views import attach_view
 from . import migrations
 from .base import add_parameters
@@ -153,6 +153,8 @@ def update(obj: Any, progress: Progress = silent) -> None:
     >>> sites.Count
     182
     """
+    if not hasattr(obj, "touch"):
+        raise ParameterError(f"an object of a document is needed, got {obj!r:.60}")
     if is_a(obj):
         obj.Proxy.prepare(obj, progress)
     obj.touch()

@@ -10,12 +10,14 @@ from ..core.job import Job, job_to_json
 from ..core.parameters import PrismParameters, ScaffoldParameters
 from ..errors import EnvelopeError, ParameterError
 from ..geometry.files import replacing
+from .arguments import given_object
 from .base import read_parameters
 from .envelope import source_of
 from .face_sites import FaceSites
 from .feature import is_a
 from .prism_sites import PrismSites
 from .relations import products_of, type_of
+from .wireframe import Wireframe
 
 
 def job_of(wireframe: Any, scaffold: Any = None, envelope: str = "") -> Job:
@@ -45,7 +47,7 @@ def job_of(wireframe: Any, scaffold: Any = None, envelope: str = "") -> Job:
     >>> replace(make.job_of(make.make_design(FreeCAD.newDocument(), job).wireframe), name="case6") == job
     True
     """
-    parameters = wireframe.Proxy.parameters(wireframe)
+    parameters = given_object(wireframe, Wireframe).Proxy.parameters(wireframe)
     prisms = [one.Proxy.parameters(one) for one in wireframe.Sites if is_a(one, PrismSites)]
     faces = tuple(one.Proxy.parameters(one) for one in wireframe.Sites if is_a(one, FaceSites))
     if prisms and (faces or len(prisms) > 1):

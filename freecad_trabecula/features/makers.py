@@ -8,7 +8,8 @@ command in the window is one step to undo.
 from __future__ import annotations
 
 from contextlib import contextmanager
-from typing import Any, Iterator, Optional, Sequence
+from pathlib import Path
+from typing import Any, Dict, Iterator, Optional, Sequence
 
 import FreeCAD
 
@@ -17,6 +18,7 @@ from ..core.progress import Progress, silent
 from ..core.wireframe import WireframeParameters
 from ..geometry.envelopes import load_envelope
 from ..views import attach_view
+from .arguments import given_document, given_in, given_object, given_objects, given_value
 from .base import lines_of, write_parameters
 from .envelope import fill
 from .face_sites import FaceSites
@@ -27,17 +29,33 @@ from .scaffold import ROLES, Body, Scaffold
 from .solid_scaffold import SolidScaffold
 from .wireframe import Wireframe
 
+#: Kinds of properties that are computed, or FreeCAD's own: they are not given back, but computed again.
+_COMPUTED = ("Part::", "Mesh::", "App::PropertyPythonObject", "App::PropertyExpressionEngine", "App::PropertyPlacement")
+
 
 @contextmanager
-def all_or_nothing(document: FreeCAD.Document) -> Iterator[None]:
-    """Remove the objects added inside, if an error leaves."""
-    before = {obj.Name for obj in document.Objects}
+def all_or_nothing(document: FreeCAD.Document, changed: Sequence[Any] = ()) -> Iterator[None]:
+    """Remove the objects added inside, and give those that are changed their values back, if an error leaves."""
+    before = {obj.Name for obj in given_document(document).Objects}
+    kept = [(obj, _values(obj)) for obj in changed]
     try:
         yield
     except BaseException:
+        for obj, values in kept:
+            for name, value in values.items():
+                if getattr(obj, name) != value:
+                    setattr(obj, name, value)
         for name in [obj.Name for obj in document.Objects if obj.Name not in before][::-1]:
             document.removeObject(name)
+        if kept:
+            document.recompute([obj for obj, _ in kept])
         raise
+
+
+def _values(obj: Any) -> Dict[str, Any]:
+    """Return what an object was told, by property: not what was computed."""
+    names = [name for name in obj.PropertiesList if "ReadOnly" not in obj.getTypeOfProperty(name)]
+    return {name: getattr(obj, name) for name in names if not obj.getTypeIdOfProperty(name).startswith(_COMPUTED)}
 
 
 def add(document: FreeCAD.Document, cls: type, name: str, kind: str = "Part::FeaturePython", **properties: Any) -> Any:
@@ -102,8 +120,10 @@ def make_prism_sites(box: Any, prism: Optional[PrismParameters] = None) -> Any:
     >>> make.make_prism_sites(make.make_box(document), PrismParameters(n_x=5, n_y=5, n_z=5)).Count
     150
     """
-    with all_or_nothing(box.Document):
-        sites = add(box.Document, PrismSites, "Sites", Box=box)
+    document = given_object(box).Document
+    given_value(prism, PrismParameters, type(None))
+    with all_or_nothing(document):
+        sites = add(document, PrismSites, "Sites", Box=box)
         write_parameters(sites, prism or PrismParameters())
         update(sites)
     return sites
@@ -126,7 +146,8 @@ def make_face_sites(envelope: Any, parameters: FaceParameters) -> Any:
     >>> make.make_face_sites(make.make_box(document), FaceParameters("Face6", "top", c_u=2, c_v=2, b_u=1, b_v=1)).Count
     25
     """
-    document = envelope.Document
+    document = given_object(envelope).Document
+    given_value(parameters, FaceParameters)
     with all_or_nothing(document):
         sites = add(document, FaceSites, f"Sites_{parameters.label}")
         sites.Label = f"Sites {parameters.label}"
@@ -164,7 +185,7 @@ def make_envelope(document: FreeCAD.Document, path: str, solid: str = "", name: 
     >>> round(make.make_envelope(document, path).Shape.Volume, 6)
     125.0
     """
-    envelope = load_envelope(path, solid)
+    envelope = load_envelope(str(given_value(path, str, Path)), solid)
     with all_or_nothing(document):
         obj = document.addObject("Part::Feature", name)
         fill(obj, envelope, str(path), solid)
@@ -198,9 +219,12 @@ def make_wireframe(
     >>> make.make_wireframe(box, [make.make_prism_sites(box)], preset("case6").wireframe).Rods
     147
     """
-    document = envelope.Document
+    document = given_object(envelope).Document
+    given_value(parameters, WireframeParameters)
+    own = given_objects(sites, PrismSites, FaceSites)
+    given_in(document, *own)
     with all_or_nothing(document):
-        wireframe = add(document, Wireframe, "Wireframe", Envelope=envelope, Sites=list(sites))
+        wireframe = add(document, Wireframe, "Wireframe", Envelope=envelope, Sites=own)
         set_wireframe_parameters(wireframe, parameters)
         update(wireframe, progress)
     return wireframe
@@ -208,6 +232,8 @@ def make_wireframe(
 
 def set_wireframe_parameters(wireframe: Any, parameters: WireframeParameters) -> None:
     """Set all properties of a wireframe object; it is not computed yet."""
+    given_object(wireframe, Wireframe)
+    given_value(parameters, WireframeParameters)
     for one in (parameters.pores, parameters.path, parameters.rods):
         write_parameters(wireframe, one)
     wireframe.Couplings, wireframe.Edits = lines_of(parameters.couplings), lines_of(parameters.edits)
@@ -238,7 +264,7 @@ def make_network(wireframe: Any, progress: Progress = silent) -> Any:
     >>> network.Rods, len(network.Shape.Solids)
     (75, 75)
     """
-    document = wireframe.Document
+    document = given_object(wireframe, Wireframe).Document
     with all_or_nothing(document):
         network = add(document, Network, "Network", Wireframe=wireframe)
         update(network, progress)
@@ -271,7 +297,8 @@ def make_scaffold(wireframe: Any, parameters: Optional[ScaffoldParameters] = Non
     >>> [body.Role for body in make.body_objects(scaffold)]
     ['channels', 'loose', 'voids']
     """
-    document = wireframe.Document
+    document = given_object(wireframe, Wireframe).Document
+    given_value(parameters, ScaffoldParameters, type(None))
     with all_or_nothing(document):
         scaffold = add(document, Scaffold, "Scaffold", "Mesh::FeaturePython", Wireframe=wireframe)
         write_parameters(scaffold, parameters or ScaffoldParameters())
@@ -310,7 +337,8 @@ def make_solid_scaffold(
     >>> solid.RodsCut, solid.Shape.isValid(), solid.Difference < 0.2
     (4, True, True)
     """
-    document = wireframe.Document
+    document = given_object(wireframe, Wireframe).Document
+    given_value(parameters, ScaffoldParameters, type(None))
     with all_or_nothing(document):
         solid = add(document, SolidScaffold, "SolidScaffold", Wireframe=wireframe)
         write_parameters(solid, parameters or ScaffoldParameters())
@@ -320,5 +348,5 @@ def make_solid_scaffold(
 
 def body_objects(scaffold: Any) -> Sequence[Any]:
     """Return the objects that show channels, loose pieces and voids of a scaffold, in this order."""
-    found = [obj for obj in scaffold.InList if is_a(obj, Body)]
+    found = [obj for obj in given_object(scaffold, Scaffold).InList if is_a(obj, Body)]
     return sorted(found, key=lambda obj: ROLES.index(obj.Role))

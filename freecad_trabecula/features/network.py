@@ -17,6 +17,7 @@ from ..core.progress import Progress, silent
 from ..errors import KernelError, ParameterError
 from ..geometry.rod_solids import measured_rods
 from . import results
+from .arguments import given_object, given_value
 from .feature import is_a, result, show_in_place
 from .on_demand import OnDemand, on_demand
 from .wireframe import Wireframe
@@ -202,7 +203,8 @@ def rod_at(obj: Any, face: str) -> RodFacts:
     >>> make.rod_at(network, "Face1").sites
     ('Face1.1.1', 'Face2.1.1')
     """
-    ends = np.cumsum([len(solid.Faces) for solid in obj.Shape.Solids])
+    ends = np.cumsum([len(solid.Faces) for solid in given_object(obj, Network).Shape.Solids])
+    given_value(face, str)
     number = int(face[4:]) if face.startswith("Face") and face[4:].isdigit() else 0
     count = int(ends[-1]) if len(ends) else 0
     if not 1 <= number <= count:

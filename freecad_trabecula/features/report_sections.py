@@ -33,6 +33,7 @@ from ..core.voxels.report import design_record
 from ..errors import ParameterError, TrabeculaError
 from ..geometry.versions import versions
 from .analysis import Analysis, analysis_of
+from .arguments import given_document, given_value
 from .feature import is_a
 from .jobs import job_of
 from .packing import read_value, write_value
@@ -116,6 +117,7 @@ def write_report(
     >>> "Analysis Envelope" in open(path, encoding="utf-8").read()
     True
     """
+    given_value(path, str, Path)
     found = facts_of(document, title)
     return write_page(found, records_of(found), path, pictures, language)
 
@@ -131,7 +133,7 @@ def facts_of(document: FreeCAD.Document, title: str = "") -> Facts:
     facts: List[Fact] = []
     names: List[str] = []
     notes: List[str] = []
-    for obj in document.Objects:
+    for obj in given_document(document).Objects:
         for cls, gather in _GATHERERS.items():
             if is_a(obj, cls):
                 try:

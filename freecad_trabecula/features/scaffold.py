@@ -16,6 +16,7 @@ from ..errors import KernelError, ParameterError
 from ..geometry.cutting import make_bodies
 from ..geometry.mesh_objects import mesh_object
 from . import results
+from .arguments import given_object
 from .base import read_parameters
 from .feature import UP_TO_DATE, Feature, Property, is_a, result, show_in_place
 from .network import wireframe_object
@@ -161,7 +162,7 @@ def bodies_of(scaffold: Any) -> Bodies:
     >>> abs(make.bodies_of(scaffold).parts.scaffold_volume - scaffold.ScaffoldVolume.Value) < 1e-9
     True
     """
-    key = scaffold.Proxy.key(scaffold)
+    key = given_object(scaffold, Scaffold).Proxy.key(scaffold)
     value = results.find(Scaffold.KIND, key)
     if value is None or value.bodies is None:
         value = results.keep(Scaffold.KIND, key, scaffold.Proxy.make(scaffold, silent))

@@ -18,6 +18,7 @@ from ..core.wireframe import WireframeParameters
 from ..errors import ParameterError
 from .analysis import Analysis
 from .analysis_makers import default_parameters, design_envelope
+from .arguments import given_document, given_object, given_value
 from .base import read_parameters
 from .envelope import source_of
 from .face_sites import FaceSites
@@ -117,7 +118,7 @@ def design_as_script(obj: Any) -> str:
     >>> [line for line in make.design_as_script(design.wireframe).splitlines() if "make_box" in line]
     ['envelope = make.make_box(document)']
     """
-    chosen = _chosen(obj)
+    chosen = _chosen(obj if hasattr(obj, "Objects") else given_object(obj))
     if not chosen:
         raise ParameterError(f"a script must have a design, an analysis or voxels to make, got none in {obj.Label}")
     script = Script()
@@ -156,7 +157,7 @@ def named_body(document: FreeCAD.Document, name: str) -> Any:
     >>> make.named_body(document, make.make_box(document).Name).Name
     'Envelope'
     """
-    found = document.getObject(name)
+    found = given_document(document).getObject(given_value(name, str))
     if found is None:
         raise ParameterError(
             f"the document must have the body {name!r}, got none in {document.Label}: "

@@ -10,6 +10,7 @@ from ..core.couplings import CouplingRow
 from ..core.explanations.explanation import routes_found
 from ..core.explanations.registry import explanation, measure_key
 from .analysis import Analysis, analysis_of
+from .arguments import given_object
 from .base import records_of
 from .feature import is_a
 from .network import MOST_DIFFERENCE, Network
@@ -42,6 +43,7 @@ def found_routes(obj: Any, key: str) -> Sequence[str]:
     >>> make.found_routes(make.make_analysis(box.Document, box), "slices.volume")[0]
     'volume along x, sum of area x thickness against the mesh, mm3: 24 against 24, 0 apart (at most 0.05)'
     """
+    given_object(obj)
     return routes_found(explanation(key), [one._asdict() for one in checks_of(obj)], _values(obj))
 
 

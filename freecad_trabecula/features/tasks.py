@@ -18,12 +18,13 @@ from ..core.job import Job
 from ..core.parameters import ScaffoldParameters
 from ..core.progress import Progress, part, silent
 from ..core.records import from_record, to_record
-from ..errors import ExportError
+from ..errors import ExportError, ParameterError
 from ..geometry.design import SitedFace, placed_prism_sites
 from . import network, results
 from .analysis import Analysis, run_inputs, write_inputs
 from .analysis import Inputs as AnalysisInputs
 from .analysis_files import run_saving, write_saving
+from .arguments import given_objects, given_value
 from .base import read_parameters
 from .envelope import checked_envelope
 from .examples import make_example
@@ -45,6 +46,8 @@ from .wireframe import SEEN, Inputs, Wireframe, history, made, recall, seen_of, 
 _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
 #: What the objects show: rods that have not changed are taken from there.
 _BEFORE, _SHOWN = "wireframe", "network"
+#: Objects that another process may compute.
+_COMPUTED = (Wireframe, Network, Scaffold, SolidScaffold, Analysis, VoxelDesign)
 #: Kinds of results that a project's objects show.
 _OF_OBJECTS = ("envelope", "sites", "wireframe", SEEN, "scaffold", "analysis", "contours", "voxels")
 
@@ -72,6 +75,8 @@ def write_task(folder: str, objects: Sequence[Any]) -> None:
     ...     make.take_results(folder)  # envelope, wireframe, what is seen of it
     3
     """
+    if not given_objects(objects, *_COMPUTED):
+        raise ParameterError("a task must have an object to compute, got none")
     if is_a(objects[0], Analysis):
         write_analysis_task(folder, objects[0].Proxy.inputs(objects[0]))
         return
@@ -173,9 +178,20 @@ def _wanted(obj: Any) -> Dict[str, Any]:
 
 
 def run_task(folder: str, progress: Progress = silent) -> None:
-    """Compute what a task asks for and write the results beside it; a task without results was not finished."""
-    place = Path(folder)
-    task = json.loads((place / _TASK).read_text(encoding="utf-8"))
+    """Compute what a task asks for and write the results beside it; a task without results was not finished.
+
+    Raises
+    ------
+    ExportError
+        If the folder holds no task.
+    TrabeculaError
+        What computing it raises.
+    """
+    place = Path(given_value(folder, str, Path))
+    try:
+        task = json.loads((place / _TASK).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ExportError(f"{folder} holds no task that can be read: {error}") from error
     if "analysis" in task:
         results.save(str(place / _RESULTS), *run_inputs(place, task["analysis"], progress))
         return

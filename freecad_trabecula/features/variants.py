@@ -26,6 +26,7 @@ from ..core.voxels.variants import chance_overlap, overlaps
 from ..errors import ParameterError
 from ..geometry.design import design_wireframe
 from . import results
+from .arguments import given_numbers, given_object
 from .base import read_parameters
 from .feature import is_a
 from .packing import read_value, write_value
@@ -76,7 +77,8 @@ def make_variants(obj: Any, seeds: Sequence[int], by: str = RAYS, progress: Prog
     >>> [row.seed for row in make.make_variants(wireframe, [1, 2]).rows]
     [1, 2]
     """
-    if is_a(obj, Wireframe):
+    given_numbers(seeds)
+    if is_a(given_object(obj), Wireframe):
         return rod_variants(obj.Proxy.inputs(obj), scaffold_parameters(obj), seeds, by, progress)
     if is_a(obj, VoxelDesign):
         inputs = obj.Proxy.inputs(obj)

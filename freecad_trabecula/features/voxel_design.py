@@ -29,6 +29,7 @@ from ..core.voxels.verification import layer_errors
 from ..errors import ExportError, KernelError, ParameterError
 from ..geometry.mesh_objects import mesh_object
 from . import results
+from .arguments import given_object
 from .base import read_parameters
 from .feature import HIDDEN, Property, result, show_in_place
 from .on_demand import OnDemand, waiting
@@ -267,7 +268,7 @@ def voxel_design_of(obj: Any) -> core.VoxelDesign:
     >>> int(make.voxel_design_of(design).voxels.sum())
     384
     """
-    if not obj.ResultKey:
+    if not given_object(obj, VoxelDesign).ResultKey:
         raise ParameterError(f"{obj.Label} must have been computed, got: {obj.Status or 'nothing yet'}")
     found = design_at_hand(obj)
     if found is not None:

@@ -125,9 +125,13 @@ def inputs_of(
 
 def flat_tables(tables: Optional[Sequence[Any]]) -> Optional[FlatTables]:
     """Return tables as plain whole numbers, one after the other, or None."""
-    if tables is None or not len(tables[0]):
+    if tables is None:
         return None
-    return tuple(tuple(int(cell) for cell in np.asarray(table).ravel()) for table in tables)
+    try:
+        alpha, beta = ([int(cell) for cell in np.asarray(table).ravel()] for table in tables)
+    except (TypeError, ValueError):
+        raise ParameterError(f"tables must be alpha and beta, of whole numbers, got {tables!r:.60}") from None
+    return (tuple(alpha), tuple(beta)) if alpha else None
 
 
 def curves_of(obj: Any) -> Optional[DrawnCurves]:

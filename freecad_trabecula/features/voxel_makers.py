@@ -24,6 +24,7 @@ from ..geometry.mesh_objects import mesh_object
 from ..geometry.voxel_shapes import layer_solids, layer_wires
 from .analysis import Analysis, analysis_of
 from .analysis_source import file_source, object_source, soup_of_source
+from .arguments import given_in, given_numbers, given_object, given_value
 from .base import write_parameters
 from .feature import is_a, update
 from .makers import add, all_or_nothing
@@ -74,6 +75,10 @@ def make_voxel_design(
     (384, True, 1)
     """
     check_surface(surface)
+    given_value(parameters, VoxelParameters, type(None))
+    if not isinstance(source, (DrawnCurves, str)):
+        given_in(document, given_object(source))
+    given_in(document, envelope)
     with all_or_nothing(document):
         obj = add(document, VoxelDesign, "VoxelDesign", "Mesh::FeaturePython", Surface=surface, Envelope=envelope)
         if isinstance(source, DrawnCurves):
@@ -112,7 +117,7 @@ def change_voxel_design(
     Raises
     ------
     TrabeculaError
-        If there is no such design; the caller's transaction takes back what was changed.
+        If there is no such design; the document is as it was.
 
     Examples
     --------
@@ -128,14 +133,17 @@ def change_voxel_design(
     48
     """
     check_surface(surface)
-    write_parameters(obj, parameters)
-    obj.Envelope, obj.Surface = envelope, surface
-    obj.Alpha, obj.Beta = flat_tables(tables) or ((), ())
-    if curves is not None:
-        if curves_of(obj) is None:
-            raise ParameterError(f"{obj.Label} must be made of curves to get others, it follows another sample")
-        keep_curves(obj, curves)
-    update(obj, progress)
+    given_value(parameters, VoxelParameters)
+    given_in(given_object(obj, VoxelDesign).Document, envelope)
+    if curves is not None and curves_of(obj) is None:
+        raise ParameterError(f"{obj.Label} must be made of curves to get others, it follows another sample")
+    with all_or_nothing(obj.Document, [obj]):
+        write_parameters(obj, parameters)
+        obj.Envelope, obj.Surface = envelope, surface
+        obj.Alpha, obj.Beta = flat_tables(tables) or ((), ())
+        if curves is not None:
+            keep_curves(obj, given_value(curves, DrawnCurves))
+        update(obj, progress)
 
 
 def layer_areas_of(analysis: Any) -> Tuple[List[np.ndarray], float]:
@@ -160,8 +168,8 @@ def layer_areas_of(analysis: Any) -> Tuple[List[np.ndarray], float]:
     >>> [round(float(own.mean()), 6) for own in areas]
     [12.0, 8.0, 6.0]
     """
-    thickness = float(analysis.SliceThickness.Value)
-    return areas_of_profiles(analysis_of(analysis), (thickness,) * 3), thickness
+    found, thickness = analysis_of(analysis), float(analysis.SliceThickness.Value)
+    return areas_of_profiles(found, (thickness,) * 3), thickness
 
 
 def make_layer_shapes(obj: Any, layers: Sequence[int], solid: bool = False, progress: Progress = silent) -> Any:
@@ -195,7 +203,7 @@ def make_layer_shapes(obj: Any, layers: Sequence[int], solid: bool = False, prog
     """
     design = voxel_design_of(obj)
     make = layer_solids if solid else layer_wires
-    shape = make(design.voxels, design.targets.voxel, design.targets.origin, layers, progress)
+    shape = make(design.voxels, design.targets.voxel, design.targets.origin, given_numbers(layers), progress)
     with all_or_nothing(obj.Document):
         found = obj.Document.addObject("Part::Feature", "Layers")
         found.Label = f"Layers of {obj.Label}"
@@ -226,6 +234,7 @@ def estimate_voxel_design(sample: Any, parameters: VoxelParameters) -> Estimate:
     >>> make.estimate_voxel_design(box, VoxelParameters(size=(0.5, 0.5, 0.5))).layers
     (8, 10, 12)
     """
+    given_value(parameters, VoxelParameters)
     if isinstance(sample, DrawnCurves):
         layers = targets_of_curves(sample, parameters).layers
     elif isinstance(sample, str):
@@ -237,7 +246,10 @@ def estimate_voxel_design(sample: Any, parameters: VoxelParameters) -> Estimate:
     elif is_a(sample, Analysis):
         layers = targets_of_profiles(analysis_of(sample), parameters).layers
     else:
-        box = (sample.Mesh if hasattr(sample, "Mesh") else sample.Shape).BoundBox
+        shown = getattr(given_object(sample), "Mesh", None) or getattr(sample, "Shape", None)
+        if shown is None or not shown.BoundBox.isValid():
+            raise ParameterError(f"a sample must have a mesh or a shape, got {sample.Label} without one")
+        box = shown.BoundBox
         layers = layer_counts_of_box((box.XLength, box.YLength, box.ZLength), parameters.size, parameters.areas)
     return estimate(layers, parameters.strategy)
 
@@ -285,7 +297,7 @@ def combine_with_body(obj: Any, body: Any, kind: str = "union", progress: Progre
     """
     design = voxel_design_of(obj)
     progress(0, 3, "triangles of the body")
-    triangles = soup_of_source(object_source(body), "auto", 0.0).triangles
+    triangles = soup_of_source(object_source(given_object(body)), "auto", 0.0).triangles
     progress(1, 3, f"{kind} of the body and the voxels")
     voxels = block_mesh(design.voxels, design.targets.voxel, design.targets.origin)
     mesh = combine([weld(triangles), voxels], kind)

@@ -19,6 +19,7 @@ from ..geometry.design import SitedFace, design_draft, design_wireframe, pore_wa
 from ..geometry.envelopes import Envelope
 from ..geometry.wires import wireframe_shape
 from . import results
+from .arguments import given_object
 from .base import lines_of, read_parameters, records_of
 from .envelope import envelope_of, is_known, mark_of
 from .feature import Property, result
@@ -234,7 +235,7 @@ def wireframe_of(obj: Any) -> core.Wireframe:
     >>> make.wireframe_of(make.make_design(FreeCAD.newDocument(), preset("case1")).wireframe).paths.shape
     (75, 2, 4, 3)
     """
-    return obj.Proxy.wireframe(obj)
+    return given_object(obj, Wireframe).Proxy.wireframe(obj)
 
 
 def wireframe_key(envelope: str, sites: Sequence[Any], parameters: WireframeParameters) -> str:

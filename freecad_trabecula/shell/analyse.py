@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Tuple
 
@@ -22,7 +21,7 @@ from ..core.estimates import Work
 from ..core.progress import Progress, part
 from ..errors import DependencyError, ParameterError
 from ..geometry.versions import versions
-from .folder import ResultFolder
+from .folder import ResultFolder, require_own_folder
 from .samples import Sample, read_sample
 
 Report = Callable[..., None]
@@ -127,25 +126,6 @@ def _write_more(analysis: Analysis, workbook: bool, kind: str, folder: ResultFol
 
 
 # --------------------------------------------------------------------------------------- what compare does the same way
-
-
-def require_own_folder(path: str, kind: str) -> None:
-    """Make sure that a folder holds no report of another kind, which would be overwritten.
-
-    Raises
-    ------
-    ParameterError
-        If it does.
-    """
-    try:
-        record = json.loads((Path(path) / REPORT).read_text(encoding="utf-8"))
-    except (OSError, ValueError):  # there is none, or it is nobody's
-        return
-    if isinstance(record, dict) and record.get("kind") != kind:
-        raise ParameterError(
-            f"the folder of a {kind} must not be that of something else: {path} holds the {REPORT} of "
-            f"{'a ' + str(record['kind']) if record.get('kind') else 'a design'}"
-        )
 
 
 def progress_of(report: Report) -> Progress:

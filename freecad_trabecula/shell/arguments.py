@@ -184,6 +184,7 @@ COMMANDS: Tuple[Command, ...] = (
 
 
 def _absolute(path: str) -> str:
+    path.encode("utf-8")  # reports hold it
     return os.path.abspath(os.path.expanduser(path))
 
 
@@ -225,10 +226,15 @@ def read_arguments(arguments: Sequence[str]) -> Tuple[Command, Dict[str, Any]]:
     if wrong:
         parser.prog = f"{PROGRAM} {command.name}"
         parser.error(wrong)
-    for name in command.paths:
-        value = options[name]
-        if isinstance(value, list):
-            options[name] = [_absolute(path) for path in value]
-        elif value:
-            options[name] = _absolute(value)
+    try:
+        for name in command.paths:
+            value = options[name]
+            if isinstance(value, list):
+                options[name] = [_absolute(path) for path in value]
+            elif value:
+                options[name] = _absolute(value)
+    except OSError as error:
+        parser.error(f"the folder in which the command was given cannot be read: {error.strerror}")
+    except UnicodeEncodeError as error:
+        parser.error(f"the name of a file must be text in UTF-8, got {error.object!r}")
     return command, options

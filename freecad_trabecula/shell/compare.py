@@ -19,12 +19,11 @@ from .analyse import (
     Report,
     plots_kind,
     progress_of,
-    require_own_folder,
     teller,
     warn_of_old_files,
     write_figures,
 )
-from .folder import ResultFolder
+from .folder import ResultFolder, require_own_folder
 from .samples import Sample, read_sample
 
 _OURS = ("comparison*.csv", *(f"*.{kind}" for kind in ("png", "svg", "pdf")))

@@ -23,7 +23,7 @@ from ..errors import ExportError, ParameterError
 from ..geometry.files import MESH_FORMATS, SHAPE_FORMATS
 from ..geometry.versions import versions
 from .analyse import teller
-from .folder import ResultFolder
+from .folder import ResultFolder, require_own_folder
 from .job_options import job_of_options
 from .products import products, stl_checks, write_products
 
@@ -86,6 +86,7 @@ def run(options: Dict[str, Any], report: Report) -> int:
         save_job(job, options["save_job"])
     if not options["out"]:
         return 0
+    require_own_folder(options["out"])
     with ResultFolder(options["out"]) as folder:
         report("temporary", path=str(folder.aside))
         record = write_design(job, folder, options["also"], Stopwatch(report), teller(job.name, report))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import IO, List, Optional, Type
 from ..errors import ExportError, ParameterError
 
 _LOCK = ".lock"
+_REPORT = "report.json"  # every command writes one, with its kind; that of a design has none
 
 
 class ResultFolder:
@@ -38,7 +40,10 @@ class ResultFolder:
 
     def __init__(self, path: str) -> None:
         self.target = Path(os.path.realpath(path))
-        self.aside = self._place()
+        try:
+            self.aside = self._place()
+        except OSError as error:  # a name that is too long
+            raise self._refusal(error) from error
         self._made: List[Path] = []
         self._lock: Optional[IO[str]] = None
 
@@ -62,8 +67,11 @@ class ResultFolder:
             self._lock = _locked(self.aside / _LOCK)
         except OSError as error:
             self._leave()
-            raise ParameterError(f"the folder {self.target} cannot be written: {error.strerror or error}") from error
+            raise self._refusal(error) from error
         return self
+
+    def _refusal(self, error: OSError) -> ParameterError:
+        return ParameterError(f"the folder {self.target} cannot be written: {error.strerror or error}")
 
     def _make(self, folder: Path) -> None:
         missing = [p for p in (folder, *folder.parents) if not p.exists()]
@@ -113,6 +121,31 @@ class ResultFolder:
                 folder.rmdir()
             except OSError:  # something else was put there
                 break
+
+
+def require_own_folder(path: str, kind: str = "") -> None:
+    """Make sure that a folder holds no report of another kind, which would be overwritten.
+
+    Parameters
+    ----------
+    path : str
+    kind : str
+        That of the report which is to be written; of a design it is empty.
+
+    Raises
+    ------
+    ParameterError
+        If it does.
+    """
+    try:
+        record = json.loads((Path(path) / _REPORT).read_text(encoding="utf-8"))
+    except (OSError, ValueError):  # there is none, or it is nobody's
+        return
+    if isinstance(record, dict) and record.get("kind", "") != kind:
+        raise ParameterError(
+            f"the folder of a {kind or 'design'} must not be that of something else: {path} holds the {_REPORT} of "
+            f"a {record.get('kind') or 'design'}"
+        )
 
 
 def _locked(path: Path) -> Optional[IO[str]]:

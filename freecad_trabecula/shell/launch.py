@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import collections
 import importlib.util
+import io
 import json
 import os
 import shlex
@@ -240,8 +241,13 @@ def _raise_stop(number: int, frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def main(arguments: Sequence[str]) -> int:
-    """Run the command line; return the exit code."""
+def _lost(stream: Any) -> Any:
+    """Return a stream; one that was closed (``2>&-``) becomes one that loses what it is told."""
+    return open(os.devnull, "w", encoding="utf-8") if stream is None else stream  # until the process ends
+
+
+def _run(arguments: Sequence[str]) -> int:
+    """Run a command in a process of its own, and show what it says; return the exit code."""
     command, options = read_arguments(arguments)
     screen = Screen(f"{PROGRAM} {command.name}", bool(options.get("quiet")))
     for name in ("SIGTERM", "SIGHUP"):
@@ -259,11 +265,30 @@ def main(arguments: Sequence[str]) -> int:
         child.stop()
         screen.show({"kind": "error", "text": "stopped; nothing was written"})
         return STOPPED
-    except BrokenPipeError:
-        # The reader of our standard output has gone (| head): there is nobody to talk to.
+    except OSError:
         child.stop()
-        sys.stdout = open(os.devnull, "w")  # noqa: SIM115  the interpreter flushes it when it ends
-        return FAILED
+        raise
     if screen.unexpected:
         screen.show({"kind": "error", "text": f"the trace is in {child.save_trace()}"})
     return code
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run the command line; return the exit code."""
+    sys.stdout, sys.stderr = _lost(sys.stdout), _lost(sys.stderr)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a sign that the terminal does not have is written as its number
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        try:
+            return _run(arguments)
+        finally:
+            sys.stdout.flush()  # what goes wrong with it has a sentence here; at the interpreter's end it has a trace
+    except KeyboardInterrupt:  # before there was anything to stop
+        return STOPPED
+    except OSError as error:
+        # The reader of our standard output has gone (| head), or its disk is full: there is nobody to talk to.
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115  the interpreter flushes it when it ends
+        if not isinstance(error, BrokenPipeError):
+            sys.stderr.write(f"{PROGRAM}: standard output could not be written: {error.strerror}\n")
+        return FAILED

@@ -31,8 +31,8 @@ from ..core.voxels.table_pairs import pair_rates
 from ..core.voxels.targets import Targets
 from ..core.voxels.volume_files import write_npy
 from ..geometry.versions import versions
-from .analyse import PACKAGES, plots_kind, progress_of, require_own_folder, warn_of_old_files
-from .folder import ResultFolder
+from .analyse import PACKAGES, plots_kind, progress_of, warn_of_old_files
+from .folder import ResultFolder, require_own_folder
 from .voxel_options import FIELDS
 
 Report = Callable[..., None]

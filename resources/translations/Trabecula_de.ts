@@ -2449,6 +2449,11 @@
         <translation>eine Richtung darf am Ursprung ihrer Linie nicht entlang der Flächennormalen liegen, hier ({}, {}, {})</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a document is needed, got {}</source>
+        <translation>nötig ist ein Dokument, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>a fabric ellipsoid needs at least 6 directions, got {}</source>
         <translation>ein Fabric-Ellipsoid braucht mindestens 6 Richtungen, hier {}</translation>
@@ -2539,6 +2544,11 @@
         <translation>die Zahlen eines Auftrags müssen endlich sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a key of a job may stand once in its object, got {} twice</source>
+        <translation>ein Schlüssel eines Auftrags darf in seinem Objekt einmal stehen, hier {} zweimal</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law must be one of {}, got {}</source>
         <translation>ein Gesetz muss eines von {} sein, hier {}</translation>
@@ -2587,6 +2597,16 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a layer's thickness must be greater than 0, got {}</source>
         <translation>die Dicke einer Schicht muss größer als 0 sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a list of objects is needed, got {}</source>
+        <translation>nötig ist eine Liste von Objekten, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a list of whole numbers is needed, got {}</source>
+        <translation>nötig ist eine Liste ganzer Zahlen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -2684,6 +2704,11 @@
         <translation>ein Abstand muss aus drei Längen über 0 bestehen, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/edits.py"/>
+        <source>a point must be three numbers in mm, got {}</source>
+        <translation>ein Punkt muss aus drei Zahlen in mm bestehen, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/presets.py"/>
         <source>a preset must be one of {}, got {}</source>
         <translation>eine Vorlage muss eine von {} sein, hier {}</translation>
@@ -2732,6 +2757,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a sample must be numbered 0 to {}, got {}</source>
         <translation>eine Probe muss mit 0 bis {} nummeriert sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>a sample must have a mesh or a shape, got {} without one</source>
+        <translation>eine Probe muss ein Netz oder eine Form haben, {} hat keines von beiden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
@@ -2894,6 +2924,11 @@
         <translation>eine Tangentenkomponente der Pore bei {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <source>a task must have an object to compute, got none</source>
+        <translation>eine Aufgabe muss ein Objekt zu berechnen haben, hier keines</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>a tenth of the void has spheres up to it</source>
         <translation>ein Zehntel des Hohlraums hat Kugeln bis zu diesem Durchmesser</translation>
@@ -2922,6 +2957,11 @@
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face with a seam or a pole must not turn away from its middle plane</source>
         <translation>eine beschnittene Fläche mit Naht oder Pol darf sich nicht von ihrer Mittelebene abwenden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a value of the type {} is needed, got {}</source>
+        <translation>nötig ist ein Wert der Art {}, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -3142,6 +3182,12 @@
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>an expression must have 1 to {} characters, got {}</source>
         <translation>eine Formel muss 1 bis {} Zeichen haben, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>an object of a document is needed, got {}</source>
+        <translation>nötig ist ein Objekt eines Dokuments, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -5146,6 +5192,11 @@
         <translation>Teile minus Henkel plus Hohlräume der Voxel als geschlossener Körper</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/designs.py"/>
+        <source>parts of a design are {}, got {}</source>
+        <translation>Teile eines Entwurfs sind {}, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
         <translation>Teile der vollen Voxel einer Schicht, Nachbarn über eine Kante ihrer Quadrate</translation>
@@ -6053,6 +6104,11 @@
         <translation>Tabellen beta</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
+        <source>tables must be alpha and beta, of whole numbers, got {}</source>
+        <translation>Tabellen müssen Alpha und Beta sein, aus ganzen Zahlen, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>tables within a mask need scipy 1.6 or later</source>
         <translation>Tabellen in einer Maske brauchen scipy 1.6 oder neuer</translation>
@@ -6546,6 +6602,16 @@
         <translation>die Zahl der Ecken einer Pore muss in 3..12 liegen, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>the object must be in the document {}, got {} of {}</source>
+        <translation>das Objekt muss im Dokument {} sein, hier {} von {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>the object must be of the kind {}, got {} ({})</source>
+        <translation>das Objekt muss von der Art {} sein, hier {} ({})</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the order must be one of {}, got {}</source>
@@ -6570,6 +6636,11 @@
         <location filename="../../freecad_trabecula/core/analysis/report.py"/>
         <source>the planes are not those of layers</source>
         <translation>die Ebenen sind nicht die von Schichten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/edits.py"/>
+        <source>the pore at {} must get a size or tangent components, got neither</source>
+        <translation>die Pore an {} muss eine Größe oder Tangentenkomponenten bekommen, hier nichts davon</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pores.py"/>
@@ -6861,6 +6932,11 @@
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the unit of a 3MF file must be one of {}, got {}</source>
         <translation>die Einheit einer 3MF-Datei muss eine von {} sein, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>the unit of a file must be one of auto, {}, got {}</source>
+        <translation>die Einheit einer Datei muss auto oder eine von {} sein, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -7898,6 +7974,11 @@
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} have {} cells for them, and </source>
         <translation>{} haben {} Zellen dafür, und </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <source>{} holds no task that can be read: {}</source>
+        <translation>{} enthält keine lesbare Aufgabe: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>

@@ -2449,6 +2449,11 @@
         <translation>una direzione non deve essere lungo la normale alla faccia nell'origine della sua linea, qui ({}, {}, {})</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a document is needed, got {}</source>
+        <translation>serve un documento, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/anisotropy.py"/>
         <source>a fabric ellipsoid needs at least 6 directions, got {}</source>
         <translation>un ellissoide di tessitura richiede almeno 6 direzioni, qui {}</translation>
@@ -2539,6 +2544,11 @@
         <translation>i numeri di un lavoro devono essere finiti, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/job.py"/>
+        <source>a key of a job may stand once in its object, got {} twice</source>
+        <translation>una chiave di un lavoro può stare una volta nel suo oggetto, qui {} due volte</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law must be one of {}, got {}</source>
         <translation>una legge deve essere una di {}, qui {}</translation>
@@ -2587,6 +2597,16 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>a layer's thickness must be greater than 0, got {}</source>
         <translation>lo spessore di uno strato deve essere maggiore di 0, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a list of objects is needed, got {}</source>
+        <translation>serve una lista di oggetti, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a list of whole numbers is needed, got {}</source>
+        <translation>serve una lista di numeri interi, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
@@ -2684,6 +2704,11 @@
         <translation>un passo deve essere di tre lunghezze maggiori di 0, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/edits.py"/>
+        <source>a point must be three numbers in mm, got {}</source>
+        <translation>un punto deve essere fatto di tre numeri in mm, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/presets.py"/>
         <source>a preset must be one of {}, got {}</source>
         <translation>un modello deve essere uno di {}, qui {}</translation>
@@ -2732,6 +2757,11 @@
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
         <source>a sample must be numbered 0 to {}, got {}</source>
         <translation>un campione deve avere un numero da 0 a {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/voxel_makers.py"/>
+        <source>a sample must have a mesh or a shape, got {} without one</source>
+        <translation>un campione deve avere una mesh o una forma, {} non ne ha</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/texture_fit.py"/>
@@ -2894,6 +2924,11 @@
         <translation>una componente della tangente del poro in {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <source>a task must have an object to compute, got none</source>
+        <translation>un compito deve avere un oggetto da calcolare, qui nessuno</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>a tenth of the void has spheres up to it</source>
         <translation>un decimo del vuoto ha sfere fino a questo diametro</translation>
@@ -2922,6 +2957,11 @@
         <location filename="../../freecad_trabecula/geometry/face_triangles.py"/>
         <source>a trimmed face with a seam or a pole must not turn away from its middle plane</source>
         <translation>una faccia tagliata con cucitura o polo non deve allontanarsi dal suo piano medio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>a value of the type {} is needed, got {}</source>
+        <translation>serve un valore del tipo {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -3142,6 +3182,12 @@
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>an expression must have 1 to {} characters, got {}</source>
         <translation>una formula deve avere da 1 a {} caratteri, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>an object of a document is needed, got {}</source>
+        <translation>serve un oggetto di un documento, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/comparison.py"/>
@@ -5146,6 +5192,11 @@
         <translation>parti meno manici più cavità, dei voxel come corpo chiuso</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/designs.py"/>
+        <source>parts of a design are {}, got {}</source>
+        <translation>le parti di un progetto sono {}, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/voxel_numbers.py"/>
         <source>parts of a layer's solid voxels, neighbours by an edge of their squares</source>
         <translation>parti dei voxel pieni di uno strato, vicini per un lato dei loro quadrati</translation>
@@ -6053,6 +6104,11 @@
         <translation>tabelle beta</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
+        <source>tables must be alpha and beta, of whole numbers, got {}</source>
+        <translation>le tabelle devono essere alfa e beta, di numeri interi, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>tables within a mask need scipy 1.6 or later</source>
         <translation>le tabelle in una maschera richiedono scipy 1.6 o successivo</translation>
@@ -6546,6 +6602,16 @@
         <translation>il numero di vertici di un poro deve stare in 3..12, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>the object must be in the document {}, got {} of {}</source>
+        <translation>l'oggetto deve stare nel documento {}, qui {} di {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/arguments.py"/>
+        <source>the object must be of the kind {}, got {} ({})</source>
+        <translation>l'oggetto deve essere del tipo {}, qui {} ({})</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the order must be one of {}, got {}</source>
@@ -6570,6 +6636,11 @@
         <location filename="../../freecad_trabecula/core/analysis/report.py"/>
         <source>the planes are not those of layers</source>
         <translation>i piani non sono quelli di strati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/edits.py"/>
+        <source>the pore at {} must get a size or tangent components, got neither</source>
+        <translation>il poro in {} deve ricevere una dimensione o componenti delle tangenti, qui nulla</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/pores.py"/>
@@ -6861,6 +6932,11 @@
         <location filename="../../freecad_trabecula/core/mesh_readers.py"/>
         <source>the unit of a 3MF file must be one of {}, got {}</source>
         <translation>l'unità di un file 3MF deve essere una di {}, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/analysis_makers.py"/>
+        <source>the unit of a file must be one of auto, {}, got {}</source>
+        <translation>l'unità di un file deve essere auto o una di {}, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -7898,6 +7974,11 @@
         <location filename="../../freecad_trabecula/core/voxels/flows.py"/>
         <source>{} have {} cells for them, and </source>
         <translation>{} hanno {} celle per essi, e </translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/tasks.py"/>
+        <source>{} holds no task that can be read: {}</source>
+        <translation>{} non contiene un compito leggibile: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/json_values.py"/>

@@ -17,6 +17,7 @@ from freecad_trabecula.core.job import (
     job_from_json,
     job_to_json,
     opposite_couplings,
+    read_job,
     set_values,
     with_seed,
 )
@@ -63,12 +64,19 @@ def test_a_job_needs_few_words():
         ("[]", "job must be an object with keys, got"),
         ("[" * 100_000, "a job must be JSON"),
         ('{"seed": NaN}', "finite, got NaN"),
+        ('{"seed": 1, "seed": 2}', "a key of a job may stand once in its object, got 'seed' twice"),
         ('{"seed": -Infinity}', "finite, got -Infinity"),
         ("{}", "a job needs either an envelope file or a prism, got neither"),
     ],
 )
 def test_a_file_that_is_no_job_is_refused(text, message):
     refused(text, message)
+
+
+def test_the_mark_that_editors_on_windows_put_in_front_is_passed_over(tmp_path):
+    path = tmp_path / "job.json"
+    path.write_bytes(b"\xef\xbb\xbf" + job_to_json(CASE6).encode("utf-8"))
+    assert read_job(str(path)) == CASE6
 
 
 @pytest.mark.parametrize(

@@ -119,7 +119,7 @@ class RefusalTest(DocumentCase):
 
     def test_a_network_needs_a_wireframe(self):
         box = make.make_box(self.document)
-        with self.assertRaisesRegex(ParameterError, "linked to a wireframe, got Envelope"), self.unchanged():
+        with self.assertRaisesRegex(ParameterError, "must be of the kind wireframe, got Envelope"), self.unchanged():
             make.make_network(box)
 
     def test_a_wireframe_in_error_leaves_the_network_as_it_was(self):

@@ -141,7 +141,7 @@ def replace_first(cut, **changes):
 class RefusalTest(DocumentCase):
     def test_a_scaffold_needs_a_wireframe(self):
         box = make.make_box(self.document)
-        with self.assertRaisesRegex(ParameterError, "must be linked to a wireframe, got Envelope"), self.unchanged():
+        with self.assertRaisesRegex(ParameterError, "must be of the kind wireframe, got Envelope"), self.unchanged():
             make.make_scaffold(box)
 
     def test_a_layer_on_a_face_that_is_not_there_is_refused(self):

@@ -60,7 +60,7 @@ class SolidScaffoldTest(DocumentCase):
 
     def test_it_needs_a_wireframe_and_a_budget(self):
         box = make.make_box(self.document)
-        with self.unchanged(), self.assertRaisesRegex(ParameterError, "linked to a wireframe, got Envelope"):
+        with self.unchanged(), self.assertRaisesRegex(ParameterError, "must be of the kind wireframe, got Envelope"):
             make.make_solid_scaffold(box)
         wireframe = make.make_design(self.document, small(1)).wireframe
         with self.unchanged(), self.assertRaisesRegex(ParameterError, "time budget must be at least 1, got 0 s"):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from unittest import mock
 
 import pytest
 from shell_runs import check_refusal
@@ -82,6 +83,16 @@ def test_the_list_of_presets_needs_no_folder():
 )
 def test_wrong_words_are_refused_in_one_sentence(words, message, capsys):
     check_refusal(words, message, capsys)
+
+
+def test_the_name_of_a_file_that_is_no_text_is_refused(capsys):
+    # a byte that is none of UTF-8, as Python keeps it; reports hold the names of files
+    check_refusal(["design", "--preset", "case1", "--out", "bad\udcff"], "must be text in UTF-8, got 'bad", capsys)
+
+
+def test_a_folder_that_was_removed_under_the_command_is_said(capsys):
+    with mock.patch("os.getcwd", side_effect=FileNotFoundError(2, "No such file or directory")):
+        check_refusal(["design", "--preset", "case1", "--out", "x"], "in which the command was given", capsys)
 
 
 def test_help_names_every_option_and_the_exit_codes(capsys):

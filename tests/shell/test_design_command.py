@@ -332,3 +332,10 @@ def test_files_of_an_earlier_run_are_replaced_or_pointed_out(tmp_path):
     assert "warning: scaffold.step in" in done.stderr and "belong to an earlier run" in done.stderr
     assert (tmp_path / "scaffold.stl").stat().st_size > 1000
     assert (tmp_path / "mine.txt").read_text() == "old"
+
+
+def test_the_report_of_an_analysis_is_not_overwritten(tmp_path):
+    (tmp_path / "report.json").write_text('{"kind": "slice analysis"}')
+    done = design(*SMALL, "--out", tmp_path)
+    assert done.returncode == 2 and "holds the report.json of a slice analysis" in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["report.json"]

@@ -12,7 +12,7 @@ import pytest
 from shell_runs import names
 
 from freecad_trabecula.errors import ExportError, ParameterError
-from freecad_trabecula.shell.folder import ResultFolder
+from freecad_trabecula.shell.folder import ResultFolder, require_own_folder
 
 
 def write(folder, *pairs):
@@ -94,6 +94,25 @@ def test_a_file_in_the_place_of_the_folder_is_refused(tmp_path):
         with pytest.raises(ParameterError, match=r"the folder .*file.* cannot be written"):
             ResultFolder(str(tmp_path / name)).__enter__()
     assert names(tmp_path) == ["file"]
+
+
+def test_a_name_that_no_disk_takes_is_refused(tmp_path):
+    with pytest.raises(ParameterError, match=r"the folder .*xxx cannot be written: .*too long"):
+        ResultFolder(str(tmp_path / ("x" * 300))).__enter__()
+    assert names(tmp_path) == []
+
+
+def test_a_folder_with_the_report_of_something_else_is_refused(tmp_path):
+    for text, kind in (('{"rods": 27}', ""), ('{"kind": "slice analysis"}', "slice analysis")):
+        (tmp_path / "report.json").write_text(text)
+        require_own_folder(str(tmp_path), kind)
+        with pytest.raises(ParameterError, match=f"holds the report.json of a {kind or 'design'}"):
+            require_own_folder(str(tmp_path), "voxel design")
+    with pytest.raises(ParameterError, match="the folder of a design must not be that of something else"):
+        require_own_folder(str(tmp_path))
+    for text in ("[]", "{", ""):  # nobody's
+        (tmp_path / "report.json").write_text(text)
+        require_own_folder(str(tmp_path))
 
 
 def test_a_folder_that_may_not_be_written_is_refused_before_anything_is_computed(tmp_path):

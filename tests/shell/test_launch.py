@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import signal
 import stat
 import subprocess
@@ -273,3 +274,41 @@ def test_the_environment_of_the_callers_python_does_not_reach_freecads(monkeypat
     environment = launch.child_environment("m", {"a": 1})
     assert "PYTHONHOME" not in environment
     assert os.environ["PYTHONHOME"] == "/elsewhere"
+
+
+# ------------------------------------------------------------------------------------------- streams that are not there
+
+
+def shell_line(line):
+    """Run a line of the shell, in which ``TRABECULA`` is the command line; return exit code, output, errors."""
+    program = f"{shlex.quote(sys.executable)} -m freecad_trabecula"
+    done = subprocess.run(
+        ["bash", "-c", line.replace("TRABECULA", program)], cwd=str(ROOT), capture_output=True, text=True, timeout=120
+    )
+    return done.returncode, done.stdout, done.stderr
+
+
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
+def test_streams_that_are_closed_change_no_exit_code(closed):
+    assert shell_line(f"TRABECULA design --preset list {closed}")[0] == 0
+    assert shell_line(f"TRABECULA design --preset none --out x {closed}")[0] == 2
+    code, _, errors = shell_line(f"TRABECULA {closed}")
+    assert (code, "Traceback" in errors) == (2, False)
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no /dev/full")
+@pytest.mark.parametrize("words", ["--help", "design --help", "design --preset list"])
+def test_an_output_that_cannot_be_written_is_said_in_one_sentence(words):
+    code, _, errors = shell_line(f"TRABECULA {words} > /dev/full")
+    assert (code, errors.count("\n")) == (1, 1)
+    assert "standard output could not be written: No space left on device" in errors
+
+
+@pytest.mark.parametrize("words", ["design --help", "design --preset list"])
+def test_a_reader_that_has_gone_is_no_trace(words):
+    assert shell_line(f"TRABECULA {words} | true")[2] == ""
+
+
+def test_signs_that_the_terminal_does_not_have_are_written_as_their_numbers():
+    code, _, errors = shell_line("PYTHONIOENCODING=ascii TRABECULA design --job 日.json --out x")
+    assert (code, "Traceback" in errors, "\\u65e5.json" in errors) == (2, False, True)

@@ -121,6 +121,7 @@ def axis_frame(axis: str) -> np.ndarray:
     """
     name = axis_name(axis)
     direction = np.eye(3)[AXES.index(name)] if name in AXES else np.array([float(part) for part in name.split(",")])
+    direction = direction / np.abs(direction).max()  # squares of large numbers would be endless
     direction = direction / np.sqrt((direction**2).sum())
     largest = int(np.argmax(np.abs(direction)))
     first = np.eye(3)[(largest + 1) % 3]

@@ -70,6 +70,11 @@ def test_frames_are_right_handed_and_end_in_their_axis(axis):
         assert frame[2] == pytest.approx(given / np.linalg.norm(given))
 
 
+def test_the_length_of_a_direction_does_not_count_whatever_it_is():
+    for length in ("e-8", "e200", "e300"):
+        assert axis_frame(f"3{length},4{length},0") == pytest.approx(axis_frame("3,4,0"), abs=1e-15)
+
+
 def test_in_plane_directions_of_the_main_axes_go_round():
     assert axis_frame("x").tolist() == [[0, 1, 0], [0, 0, 1], [1, 0, 0]]
     assert axis_frame("y").tolist() == [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
