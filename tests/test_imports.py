@@ -264,6 +264,14 @@ def test_the_files_that_freecad_executes_at_its_start_import_next_to_nothing():
     assert not found, "\n".join(found)
 
 
+def test_the_files_that_freecad_executes_at_its_start_are_tiny_and_do_not_ask_where_they_are():
+    for name in STARTED_BY_FREECAD:
+        text = (ROOT / name).read_text(encoding="utf-8")
+        assert text.count("\n") <= 60, name
+        names = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
+        assert "__file__" not in names, name  # FreeCAD gives them none
+
+
 def test_no_modules_import_each_other_in_a_circle():
     found = cycles(ROOT)
     assert not found, "\n".join(found)

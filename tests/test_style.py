@@ -164,3 +164,64 @@ def test_random_numbers_come_from_streams_only():
     pattern = re.compile(r"np\.random|numpy\.random|^\s*(import|from) random\b", re.MULTILINE)
     found = [named(path) for path in MODULES if pattern.search(path.read_text(encoding="utf-8"))]
     assert [name for name in found if name != "freecad_trabecula/core/streams.py"] == []
+
+
+#: Called by FreeCAD and Qt, by the names that they give.
+_CALLED_FROM_OUTSIDE = re.compile(
+    r"(slot|visit_|print_help$|[a-z]+Event$|load_tests$|Get[A-Z]|Is[A-Z]|[a-z]+[A-Z]\w*$|Activated$|allow$|Initialize$|execute$)"
+)
+#: For tests, scripts and what is yet to come: formulas of the thesis with a closed form, migrations, views of results.
+_FOR_OTHERS = {
+    *("all_keys", "colour_at", "colouring_of", "component_volumes", "contours_csv", "count_layer", "format_field"),
+    *(
+        "free_solutions",
+        "is_sound",
+        "legends_of",
+        "measure_voxels",
+        "page_of_command",
+        "rename_property",
+        "row_designs",
+    ),
+}
+
+
+def names_used(trees):
+    """Return every name that some code uses: as a name, an attribute, a keyword, or a word of a text."""
+    used = set()
+    for tree in trees:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Name):
+                used.add(node.id)
+            elif isinstance(node, ast.Attribute):
+                used.add(node.attr)
+            elif isinstance(node, ast.Constant) and isinstance(node.value, str) and " " not in node.value:
+                used.update(re.findall(r"\w+", node.value))
+    return used
+
+
+def unused(trees, paths):
+    """Return the functions and classes of modules that nothing names, but where they are defined."""
+    used = names_used(trees)
+    return [
+        f"{path.name}:{node.name}"
+        for path, tree in zip(paths, trees)
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef))
+        and node.name not in used | _FOR_OTHERS
+        and not node.name.startswith("__")
+        and not _CALLED_FROM_OUTSIDE.match(node.name)
+    ]
+
+
+def test_there_is_no_function_that_nothing_calls():
+    paths = [*MODULES, *sorted((ROOT / "tools").glob("*.py")), *sorted((ROOT / "resources").rglob("*.py"))]
+    paths += sorted(ROOT.glob("*.py"))
+    trees = [ast.parse(path.read_text(encoding="utf-8")) for path in paths]
+    assert unused(trees, paths) == []
+    defined = {node.name for tree in trees for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+    assert _FOR_OTHERS - defined == set()  # one that is gone goes here too
+
+
+def test_a_function_that_nothing_calls_is_found():
+    tree = ast.parse("def f():\n    return g()\n\ndef g():\n    return 1\n\ndef h():\n    return f()\n")
+    assert unused([tree], [Path("a.py")]) == ["a.py:h"]

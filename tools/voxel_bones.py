@@ -41,10 +41,10 @@ Made by `python3 tools/voxel_bones.py`: seed 1, voxels of 0.1 mm, blocks written
 largest difference of a layer's sliced area from its target is what single precision leaves. BS/BV is that of voxels
 (lines), since the stairs of blocks have half as much surface again as the bone.
 
-Without counting, the fitted texture comes near in thickness, spacing, number, connectivity and (human bone) anisotropy,
-and far from the number of contours of the human bone, whose struts of two voxels the design joins. Counting brings the
-contours near and the rest away: the shrew cube, with five trabeculae a layer, gets far too thick, the human bone too
-connected and isotropic. The share of rods is not a target and is not met for the human bone.
+Without counting, the fitted texture comes near in thickness, spacing, number, connectivity and (human bone)
+anisotropy, and far from the number of contours of the human bone, whose trabeculae of two voxels the design joins.
+Counting brings the contours near and the rest away: the shrew cube, with five trabeculae a layer, gets far too thick,
+the human bone too connected and isotropic. The share of rods is not a target and is not met for the human bone.
 """
 
 

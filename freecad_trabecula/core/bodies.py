@@ -223,10 +223,10 @@ def scaffold_bodies(
     layered = layered_body(envelope, patches, parameters.layers)
     cut = _cut(chosen, rod_vertices, rod_triangles, layered, parameters.cell, part(progress, 0, 0.85))
     progress(0.85, 1.0, "pieces")
-    found = [pieces(cut.pop(0)) for _ in range(2)]  # of millions of triangles only one copy
-    union = float(sum(hole.volume for hole in found[1].found))
+    solid, holes = (pieces(cut.pop(0)) for _ in range(2))  # of millions of triangles only one copy
+    union = float(sum(hole.volume for hole in holes.found))
     # closed layers are there to close: what they seal off is what was asked for
-    parts = separate(*found, parameters.keep_loose, parameters.keep_loose or bool(layered.closed_by))
+    parts = separate(solid, holes, parameters.keep_loose, parameters.keep_loose or bool(layered.closed_by))
     progress(0.9, 1.0, "volumes by rays")
     rays = _ray_volume(rod_vertices, rod_triangles, layered, chosen.engine)
     progress(0.95, 1.0, "checks")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 Colour = Tuple[int, int, int]
 #: Low to high: Viridis without its darkest end, so that it stands out on dark and light (BSD, van der Walt, Smith).
@@ -27,7 +28,7 @@ class Entry(NamedTuple):
 
     name: str
     colour: Colour
-    count: int
+    count: int  # type: ignore[assignment]  # of tuple.count, which nobody asks a class for
 
 
 class Legend(NamedTuple):
@@ -63,7 +64,7 @@ class Colouring(NamedTuple):
         return self._replace(colours=self.colours[numbers])
 
 
-def scale_colours(shares: np.ndarray) -> np.ndarray:
+def scale_colours(shares: ArrayLike) -> np.ndarray:
     """Return the colours (..., 3) of 0..255 for shares 0..1 of a range; nan is grey.
 
     Examples
@@ -78,7 +79,7 @@ def scale_colours(shares: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(shares)[..., None], np.round(colours), GREY).astype(np.uint8)
 
 
-def by_value(values: Sequence[float], quantity: str, unit: str = "", bounds: Sequence[float] = ()) -> Colouring:
+def by_value(values: ArrayLike, quantity: str, unit: str = "", bounds: ArrayLike = ()) -> Colouring:
     """Return the colouring of things by a number (N,); nan is grey, the range that of ``bounds`` or of the others.
 
     Examples
@@ -86,8 +87,8 @@ def by_value(values: Sequence[float], quantity: str, unit: str = "", bounds: Seq
     >>> by_value([2.0, 4.0, 3.0], "size", "mm").legend[1:4]
     ('mm', 2.0, 4.0)
     """
-    values = np.asarray(values, float)
-    known = np.asarray(bounds if len(bounds) else values, float)
+    values, known = np.asarray(values, float), np.asarray(bounds, float)
+    known = known if len(known) else values
     known = known[np.isfinite(known)]
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
     shares = (values - low) / max(high - low, 1e-12 * max(abs(high), 1e-300))
@@ -106,7 +107,7 @@ def by_class(
     """
     classes = np.asarray(classes, int)
     counts = np.bincount(classes, minlength=len(names))
-    table = [tuple(colours[k % len(colours)]) for k in range(len(names))]
+    table = [colours[k % len(colours)] for k in range(len(names))]
     entries = [Entry(name, table[k], int(counts[k])) for k, name in enumerate(names) if counts[k]]
     chosen = np.array(table or [GREY], np.uint8)[classes] if len(classes) else np.zeros((0, 3), np.uint8)
     return Colouring(chosen, Legend(quantity, entries=tuple(entries)))

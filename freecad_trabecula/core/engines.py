@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Sequence
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..errors import ParameterError
 from .booleans import manifold_available
@@ -75,7 +76,7 @@ def near_pairs(vertices: np.ndarray) -> float:
 
 
 def estimate(
-    vertices: np.ndarray, triangles: np.ndarray, low: Sequence[float], high: Sequence[float], cell: float, engine: str
+    vertices: np.ndarray, triangles: np.ndarray, low: ArrayLike, high: ArrayLike, cell: float, engine: str
 ) -> Estimate:
     """Return what an engine will take for these rods.
 
@@ -118,8 +119,8 @@ def choose(
     parameters: ScaffoldParameters,
     vertices: np.ndarray,
     triangles: np.ndarray,
-    low: Sequence[float],
-    high: Sequence[float],
+    low: ArrayLike,
+    high: ArrayLike,
 ) -> Estimate:
     """Return the engine to take, with its estimate and why (arguments as for ``estimate``).
 

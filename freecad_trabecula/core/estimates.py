@@ -304,7 +304,7 @@ def layers_work(kind: str, cut: float, count: float, planes: int, box: np.ndarra
         Of the body: how many digits its co-ordinates have.
     """
     seconds, more, contour, plane = _LAYERS[kind]
-    across = [f"{value:.6f}" for value in np.linspace(*np.asarray(box, float), 64).ravel().tolist()]
+    across = [f"{value:.6f}" for value in np.linspace(box[0], box[1], 64).ravel().tolist()]
     number = sum(map(len, across)) / len(across)
     return Work(seconds * cut, files=(2 * number + more) * cut + contour * count + plane * planes)
 

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from typing import Dict, NamedTuple, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..errors import MeshError, ParameterError
 from .marching import Surface
@@ -71,7 +72,7 @@ class FieldBodies(NamedTuple):
     figures: FieldFigures
 
 
-def field_estimate(low: Sequence[float], high: Sequence[float], cell: float, triangle_count: int) -> FieldEstimate:
+def field_estimate(low: ArrayLike, high: ArrayLike, cell: float, triangle_count: int) -> FieldEstimate:
     """Return the expected CPU seconds and peak bytes for both bodies.
 
     Parameters
@@ -150,9 +151,7 @@ def fills_its_box(envelope: Mesh, cell: float) -> bool:
     return NodeGrid.of_envelope(envelope, cell).flush
 
 
-def field_union(
-    rods: np.ndarray, low: Sequence[float], high: Sequence[float], cell: float, progress: Progress = silent
-) -> Mesh:
+def field_union(rods: np.ndarray, low: ArrayLike, high: ArrayLike, cell: float, progress: Progress = silent) -> Mesh:
     """Return the part of the rods' union inside a box along the axes, as one closed mesh.
 
     For an envelope that is no box: cut it with this union by a Boolean (of a box a little larger than it). Its rims are

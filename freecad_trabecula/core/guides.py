@@ -148,7 +148,7 @@ class Guide:
             corners = grid.vertices[grid.triangles[source[side]]]
             parameters[side] = _interpolated(corners, grid.uv[source[side]], vertices[triangles[side]])
         own = order[bounds[-2] :]
-        if len(own):
+        if self.envelope_surfaces is not None:
             surfaces[own] = self.envelope_surfaces[source[own]]
         for surface in np.unique(surfaces):
             if self.surfaces.strip(int(surface)) < 0:

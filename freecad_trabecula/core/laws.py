@@ -7,7 +7,7 @@ import ast
 import math
 from dataclasses import dataclass
 from statistics import NormalDist
-from typing import Tuple
+from typing import Any, Callable, Dict, Mapping, Tuple
 
 import numpy as np
 
@@ -23,7 +23,7 @@ _FUNCTIONS = {
 _FUNCTIONS.update(abs=np.abs, log=np.log, min=np.minimum, max=np.maximum)
 _CONSTANTS = {"pi": math.pi, "e": math.e}
 _VARIABLES = ("x", "y", "z", "u")
-_OPERATORS = {
+_OPERATORS: Dict[type, Callable[..., Any]] = {
     ast.Add: np.add,
     ast.Sub: np.subtract,
     ast.Mult: np.multiply,
@@ -212,8 +212,9 @@ def evaluate_expression(text: str, point: np.ndarray, random: np.ndarray) -> np.
     return values.copy()
 
 
-def _value(node: ast.AST, names: dict) -> object:
+def _value(node: ast.AST, names: Mapping[str, Any]) -> Any:
     if isinstance(node, ast.Constant):
+        assert isinstance(node.value, (int, float))  # parse_expression lets no other pass
         return float(node.value)
     if isinstance(node, ast.Name):
         if node.id not in names:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import itertools
 from functools import lru_cache
-from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple
+from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -89,9 +89,9 @@ def _face_segments(face: Tuple[int, ...], case: int, separate_inside: bool) -> D
     out = [k for k in range(4) if inside[k] and not inside[(k + 1) % 4]]
     into = [k for k in range(4) if not inside[k] and inside[(k + 1) % 4]]
     if separate_inside:  # a run of inside corners ends at k: it began at the last way in before k
-        pairs = [(k, max(into, key=lambda j, k=k: (j - k - 1) % 4)) for k in out]
+        pairs = [(k, (k + 1 + max((j - k - 1) % 4 for j in into)) % 4) for k in out]
     else:  # a run of outside corners begins after k: it ends at the next way in
-        pairs = [(k, min(into, key=lambda j, k=k: (j - k - 1) % 4)) for k in out]
+        pairs = [(k, (k + 1 + min((j - k - 1) % 4 for j in into)) % 4) for k in out]
     return {edge[j]: edge[k] for k, j in pairs}
 
 
@@ -227,7 +227,7 @@ def _shared(ends: List[List[Tuple[int, int]]]) -> Iterator[Tuple[int, Tuple[int,
             yield axis, end, other, other_end
 
 
-def _line(at: Dict[int, int]) -> Tuple[object, ...]:
+def _line(at: Dict[int, int]) -> Tuple[Union[int, slice], ...]:
     """Index into a [z, y, x] array where the given axes have the given indices."""
     return tuple(at.get(axis, slice(None)) for axis in (2, 1, 0))
 
@@ -245,7 +245,7 @@ def _cases(inside: np.ndarray) -> np.ndarray:
 
 def _stacked(blocks: List[np.ndarray], dtype: type) -> np.ndarray:
     """Blocks (N, 3) as one array; each is let go as soon as it is copied, since they may fill half of the memory."""
-    result = np.empty((sum(len(block) for block in blocks), 3), dtype)
+    result: np.ndarray = np.empty((sum(len(block) for block in blocks), 3), dtype)
     end = len(result)
     while blocks:
         block = blocks.pop()

@@ -118,7 +118,7 @@ def _obj(data: bytes) -> _Read:
 
 class _Element(NamedTuple):
     name: str
-    count: int
+    rows: int
     properties: List[List[str]]
 
 
@@ -177,11 +177,11 @@ class _AsciiPly:
 
     def table(self, element: _Element) -> np.ndarray:
         width = len(element.properties)
-        return self._taken(element.count * width).reshape(element.count, width).T
+        return self._taken(element.rows * width).reshape(element.rows, width).T
 
     def lists(self, element: _Element, column: Optional[int]) -> Tuple[np.ndarray, np.ndarray]:
         sizes, names = [], [np.zeros(0)]
-        for _ in range(element.count):
+        for _ in range(element.rows):
             for k, words in enumerate(element.properties):
                 part = self._taken(int(self._taken(1)[0]) if words[0] == "list" else 1)
                 if k == column:
@@ -208,12 +208,12 @@ class _BinaryPly:
 
     def table(self, element: _Element) -> List[np.ndarray]:
         kind = np.dtype([(f"p{k}", self._type(words[0])) for k, words in enumerate(element.properties)])
-        records = self._taken(kind, element.count)
-        return [records[name].astype(float) for name in kind.names]
+        records = self._taken(kind, element.rows)
+        return [records[name].astype(float) for name in kind.names or ()]
 
     def lists(self, element: _Element, column: Optional[int]) -> Tuple[np.ndarray, np.ndarray]:
         start = self.at
-        sizes = [len(part) for part in self._row(element)] if element.count else []
+        sizes = [len(part) for part in self._row(element)] if element.rows else []
         fields = []
         for k, (words, size) in enumerate(zip(element.properties, sizes)):
             if words[0] == "list":
@@ -221,16 +221,16 @@ class _BinaryPly:
             else:
                 fields.append((f"p{k}", self._type(words[0])))
         kind, self.at = np.dtype(fields), start
-        if start + kind.itemsize * element.count <= len(self.data):
-            records = self._taken(kind, element.count)
+        if start + kind.itemsize * element.rows <= len(self.data):
+            records = self._taken(kind, element.rows)
             if all((records[f"n{k}"] == size).all() for k, size in enumerate(sizes) if f"n{k}" in (kind.names or ())):
                 part = records[f"p{column}"].astype(np.int64) if column is not None and sizes else np.zeros((0, 1), int)
                 return np.full(len(part), part.shape[1]), part.ravel()
             self.at = start
-        rows = [self._row(element) for _ in range(element.count)]
+        rows = [self._row(element) for _ in range(element.rows)]
         chosen = [row[column] for row in rows] if column is not None else []
-        sizes = np.array([len(part) for part in chosen], np.int64)
-        return sizes, np.concatenate([np.zeros(0, int), *chosen]).astype(np.int64)
+        counts = np.array([len(part) for part in chosen], np.int64)
+        return counts, np.concatenate([np.zeros(0, int), *chosen]).astype(np.int64)
 
     def _row(self, element: _Element) -> List[np.ndarray]:
         row = []

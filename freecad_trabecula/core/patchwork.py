@@ -82,8 +82,6 @@ class Patchwork:
     ----------
     seams : list of Seam
     patches : list of Patch
-    patch_of : ndarray (T,), int
-        The patch of each triangle.
     shell_volumes : ndarray, mm3
         Of the closed surfaces by the triangles; cavities are negative.
     corners : dict
@@ -94,7 +92,6 @@ class Patchwork:
 
     seams: List[Seam]
     patches: List[Patch]
-    patch_of: np.ndarray
     shell_volumes: np.ndarray
     corners: Dict[Tuple[int, int], np.ndarray]
     meeting: Dict[int, Tuple[int, ...]]
@@ -134,7 +131,7 @@ def patchwork(mesh: LabelledMesh) -> Patchwork:
     shells = components(Mesh(mesh.vertices, mesh.triangles))
     piece = _pieces(sides, surface)
     patches = _patches(mesh, piece, border, after, seam_of, back_of, shells)
-    corners = {}
+    corners: Dict[Tuple[int, int], np.ndarray] = {}
     touching = np.unique(sides.start[border])
     at_border = np.nonzero(np.isin(sides.start, touching))[0]
     for vertex, own, uv in zip(
@@ -150,7 +147,6 @@ def patchwork(mesh: LabelledMesh) -> Patchwork:
     return Patchwork(
         seams,
         patches,
-        piece,
         _shell_volumes(mesh, shells),
         corners,
         {v: tuple(sorted(s)) for v, s in meeting.items()},
@@ -214,7 +210,8 @@ def _patches(
     for first in border.tolist():
         if seen[first]:
             continue
-        uses, side = [], first
+        uses: List[Use] = []
+        side = first
         while not seen[side]:
             seen[side] = True
             use = (seam[side], back[side])

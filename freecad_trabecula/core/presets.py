@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Callable, Dict, NamedTuple, Optional, Tuple
 
@@ -117,13 +119,13 @@ def _femur() -> Job:
     Table 4.4's directions belong to a bone that lies otherwise: here they would bring 117 sites within a pore of
     another.
     """
-    spacing = {"d1": _Z, "d2": _X, "c_u": 1.25, "c_v": 1.25, "b_u": 0.25, "b_v": 0.25}
+    face = FaceParameters(d1=_Z, d2=_X, c_u=1.25, c_v=1.25, b_u=0.25, b_v=0.25)
     return Job(
         name="femur",
         envelope=example_file("femur_metaphysis.step"),
         faces=(
-            FaceParameters("Face1", "A", origin=(11.16, 20.17, 12.88), **spacing),
-            FaceParameters("Face2", "B", origin=(11.04, 4.3, 12.88), **spacing),
+            replace(face, face="Face1", name="A", origin=(11.16, 20.17, 12.88)),
+            replace(face, face="Face2", name="B", origin=(11.04, 4.3, 12.88)),
         ),
         pores=PoreParameters(size=uniform(0.2, 0.4)),
         path=_BOX,
@@ -131,7 +133,7 @@ def _femur() -> Job:
     )
 
 
-_MAKERS: Dict[str, Callable[[], Job]] = {name: (lambda name=name: _case(name)) for name in _CASES}
+_MAKERS: Dict[str, Callable[[], Job]] = {name: partial(_case, name) for name in _CASES}
 _MAKERS.update(prism420=_prism420, cranial=_cranial, femur=_femur)
 
 PRESETS: Tuple[str, ...] = tuple(_MAKERS)

@@ -11,9 +11,10 @@ rays behave as if moved by an infinitely small step towards larger co-ordinates.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Iterator, NamedTuple, Optional, Sequence, Tuple
+from typing import Iterator, NamedTuple, Optional, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..errors import MeshError, ParameterError
 
@@ -72,7 +73,7 @@ class RayGrid:
         return (self.axis + 1) % 3, (self.axis + 2) % 3, self.axis
 
     @classmethod
-    def of_box(cls, low: Sequence[float], high: Sequence[float], cells: int, axis: int) -> RayGrid:
+    def of_box(cls, low: ArrayLike, high: ArrayLike, cells: int, axis: int) -> RayGrid:
         """Return ``cells`` x ``cells`` rays through the centres of equal cells of the box ``low``..``high`` (3,), mm.
 
         Raises
@@ -267,8 +268,8 @@ def _winding(ray: np.ndarray, sign: np.ndarray) -> np.ndarray:
 
 def union_volume(
     triangles: np.ndarray,
-    low: Sequence[float],
-    high: Sequence[float],
+    low: ArrayLike,
+    high: ArrayLike,
     cells: int,
     axis: int = 0,
     inside: Optional[np.ndarray] = None,
@@ -309,7 +310,8 @@ def union_volume(
     grid = RayGrid.of_box(low, high, cells, axis)
     envelope = None if inside is None else crossings(inside, grid)
     ray, start, end = union_intervals(crossings(triangles, grid), envelope)
-    length = end.clip(low[axis], high[axis]) - start.clip(low[axis], high[axis])
+    first, last = (float(np.asarray(edge, float)[axis]) for edge in (low, high))
+    length = end.clip(first, last) - start.clip(first, last)
     lengths = np.bincount(ray, length, cells * cells).reshape(cells, cells)
     area = grid.step[0] * grid.step[1]
     return RayVolume(float(lengths.sum() * area), float(_standard_error(lengths) * area))

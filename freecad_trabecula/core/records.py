@@ -59,7 +59,8 @@ def from_record(cls: Type[T], record: Any, where: str) -> T:
     """
     if not isinstance(record, dict):
         raise ParameterError(f"{where} must be an object with keys, got {_kind(record)}")
-    hints = types_of_fields(cls)
+    kind: type = cls
+    hints = types_of_fields(kind)
     names = [f.name for f in dataclasses.fields(cls)]  # type: ignore[arg-type]
     for key in record:
         if key not in names:
@@ -75,7 +76,7 @@ def _value(hint: Any, value: Any, where: str) -> Any:
     origin, args = typing.get_origin(hint), typing.get_args(hint)
     if origin is typing.Union:  # Optional
         return None if value is None else _value(args[0], value, where)
-    if dataclasses.is_dataclass(hint):
+    if isinstance(hint, type) and dataclasses.is_dataclass(hint):
         return from_record(hint, value, where)
     if origin is tuple:
         return _tuple(args, value, where)

@@ -21,6 +21,7 @@ from .paths import tension_paths
 from .pores import Pores, draw_pores, mirrored
 from .progress import Progress, part, silent
 from .rods import CARRIED, RodEnds, Rods, build_rods, rod_faults, sharpest_bends
+from .sites import Sites
 from .wireframe import Contains, Recovery, Wireframe, WireframeParameters, without
 
 FAULTS = ("loop", "flat", "crossing", "outside")
@@ -200,7 +201,8 @@ class _Work:
 
     def _redrawn_ends(self, some: Wireframe, steps: np.ndarray) -> RodEnds:
         """New tangents for both end sections (sizes stay)."""
-        first, second = [], []
+        first: List[Pores] = []
+        second: List[Pores] = []
         for at in range(len(some)):
             coupling = self.parameters.couplings[some.coupling[at]]
             for end, (face, column) in enumerate(((coupling.first, first), (coupling.second, second))):
@@ -214,7 +216,7 @@ class _Work:
             second=_with_shape(ends.second, second),
         )
 
-    def _redraw(self, sites: object, number: int, step: int) -> Pores:
+    def _redraw(self, sites: Sites, number: int, step: int) -> Pores:
         one = replace(
             sites, **{n: getattr(sites, n)[number : number + 1] for n in ("index", "points", "u", "normals", "on")}
         )

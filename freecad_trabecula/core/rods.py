@@ -14,7 +14,7 @@ from typing import Dict, Tuple, Union
 import numpy as np
 
 from .paths import Stations, stations
-from .pores import Pores, bezier_areas, bezier_poles, loops, outlines, turned
+from .pores import Pores, bezier_poles, loops, outlines, turned
 
 #: Least cosine between path and section normal: a rod leaving its face at more than 72 degrees is flat .
 FLAT = 0.3
@@ -284,12 +284,6 @@ def sharpest_bends(rods: Rods) -> np.ndarray:
     From 1 on a rod whose sections are normal to its path folds; a measure of how sharply it bends for others.
     """
     return _heights(rods.rings, rods.stations.centres, rods.stations.curvatures).max((1, 2), initial=0.0)
-
-
-def narrowest_areas(rods: Rods) -> np.ndarray:
-    """Return each rod's least cross-section normal to its path, (R,), mm2: least section area times its slope."""
-    slope = np.einsum("rkx,rkx->rk", rods.stations.tangents, rods.frames[:, :, 2])
-    return (bezier_areas(rods.poles) * slope).min(1)
 
 
 def true_volumes(paths: np.ndarray, ends: RodEnds) -> np.ndarray:

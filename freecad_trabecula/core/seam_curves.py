@@ -299,8 +299,9 @@ def _curves(surfaces: Surfaces, run: _Run, pairs: Sequence[Tuple[int, int]]) -> 
         knots = np.concatenate([[0.0], np.cumsum(h[a : b - 1])])
         at = a + int(errors.true[a : b - 1].argmax())
         worst = tuple(zip(run.meeting.strips[at].tolist(), errors.uv[at]))
-        most = (float(e[a : b - 1].max()) for e in (errors.distance, errors.true))
-        curves.append(SeamCurve(knots, run.points[a:b], tangent[a:b], tuple(images), tuple(slopes), *most, worst))
+        away, true = (float(e[a : b - 1].max()) for e in (errors.distance, errors.true))
+        both = (images[0], images[1]), (slopes[0], slopes[1])
+        curves.append(SeamCurve(knots, run.points[a:b], tangent[a:b], *both, away, true, worst))
     return curves
 
 
@@ -326,4 +327,4 @@ def polygon_curve(surfaces: Surfaces, work: Patchwork, vertices: np.ndarray, nod
         away = max(away, float(apart.max()))
         worst.append((surface, at[apart.argmax()]))
     none = (np.zeros((0, 2)), np.zeros((0, 2)))
-    return SeamCurve(knots, points, np.zeros((0, 3)), tuple(images), none, away, away, tuple(worst))
+    return SeamCurve(knots, points, np.zeros((0, 3)), (images[0], images[1]), none, away, away, tuple(worst))

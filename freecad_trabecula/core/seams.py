@@ -203,17 +203,6 @@ def _strip_feet(
     return uv
 
 
-def feet_on(surfaces: Surfaces, numbers: np.ndarray, uv: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the parameters (N, 2) of the points of surfaces (N,) next to points (N, 3), mm, searched from ``uv``."""
-    found = np.empty((len(points), 2))
-    strip = np.array([surfaces.strip(int(n)) >= 0 for n in numbers])
-    found[strip] = _strip_feet(surfaces, numbers[strip], uv[strip], np.zeros((strip.sum(), 2), bool), points[strip])
-    for k in np.nonzero(~strip)[0]:
-        plane = surfaces.plane(int(numbers[k]))
-        found[k] = plane[2:] @ (points[k] - plane[0])
-    return found
-
-
 # ----------------------------------------------------------------------------------------------------------- nodes
 
 

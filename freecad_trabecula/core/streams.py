@@ -9,6 +9,7 @@ machine and version.
 from __future__ import annotations
 
 import hashlib
+from typing import SupportsInt, Union
 
 import numpy as np
 
@@ -31,9 +32,10 @@ class Stream:
     True
     """
 
-    def __init__(self, seed: int, *identity: object) -> None:
+    def __init__(self, seed: int, *identity: Union[str, SupportsInt]) -> None:
         # repr tells 1 from "1" and guards the joints between the parts
-        self._base = repr((int(seed),) + tuple(i if isinstance(i, str) else int(i) for i in identity)).encode()
+        parts = (int(seed), *(i if isinstance(i, str) else int(i) for i in identity))
+        self._base = repr(parts).encode()
         self._block = 0
         self._left: list = []
 

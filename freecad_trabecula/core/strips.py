@@ -140,7 +140,7 @@ def _sections(rods: Rods, shares: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
     known = np.einsum("rkpc,rkcx->rkpx", flat, rods.frames[:, :, :2])
     first = np.clip(np.floor(shares * (k - 1)).astype(int) - 1, 0, k - 4)
     x = (shares * (k - 1) - first)[..., None, None]
-    value, slope = 0.0, 0.0
+    value, slope = np.zeros(x.shape[:2] + known.shape[2:]), np.zeros(x.shape[:2] + known.shape[2:])
     for i in range(4):
         others = [j for j in range(4) if j != i]
         a, b, c = (x - j for j in others)

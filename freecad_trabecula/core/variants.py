@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from ..errors import ParameterError
-from .analysis.tables import csv_text
+from .analysis.tables import Column, csv_text
 from .parameters import LARGEST_SEED
 
 MOST = 200  # variants of one run
@@ -61,7 +61,7 @@ class Variants(NamedTuple):
 
     def csv(self) -> str:
         """Return seeds and numbers as CSV text, and of voxels the overlaps, a row a variant."""
-        columns: Dict[str, Sequence[Any]] = {"seed": [row.seed for row in self.rows]}
+        columns: Dict[str, Column] = {"seed": [row.seed for row in self.rows]}
         for name in self.rows[0].numbers:
             columns[name] = self.values(name)
         for number, row in enumerate(self.rows if len(self.overlap) else ()):
@@ -76,7 +76,7 @@ class Spread(NamedTuple):
     sd: float
     least: float
     greatest: float
-    count: int
+    count: int  # type: ignore[assignment]  # of tuple.count, which nobody asks a spread for
 
 
 def spread(values: Sequence[float]) -> Spread:

@@ -33,6 +33,7 @@ from ..geometry.design import design_draft
 from .analysis import Analysis
 from .analysis import Inputs as AnalysisInputs
 from .analysis_source import body_of_source, reading_of_source
+from .arguments import given_value
 from .base import read_parameters
 from .feature import is_a
 from .network import Network
@@ -152,7 +153,7 @@ def estimate_design(job: Job, envelope: Part.Shape) -> Work:
     >>> make.estimate_design(job, Part.makeBox(job.prism.l, job.prism.w, job.prism.h)).is_heavy
     True
     """
-    inputs = job_inputs(job, envelope)
+    inputs = job_inputs(given_value(job, Job), given_value(envelope, Part.Shape))
     body, parameters = inputs.envelope, inputs.parameters
     draft = design_draft(parameters, body, inputs.faces)
     if not len(draft):

@@ -47,7 +47,7 @@ _TASK, _ENVELOPE, _RESULTS = "task.json", "envelope.bin", "results"
 #: What the objects show: rods that have not changed are taken from there.
 _BEFORE, _SHOWN = "wireframe", "network"
 #: Objects that another process may compute.
-_COMPUTED = (Wireframe, Network, Scaffold, SolidScaffold, Analysis, VoxelDesign)
+_COMPUTED = (Wireframe, FaceSites, Network, Scaffold, SolidScaffold, Analysis, VoxelDesign)
 #: Kinds of results that a project's objects show.
 _OF_OBJECTS = ("envelope", "sites", "wireframe", SEEN, "scaffold", "analysis", "contours", "voxels")
 

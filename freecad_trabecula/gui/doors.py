@@ -10,7 +10,7 @@ from typing import Any, Callable, List, NamedTuple, Optional, Tuple
 
 import FreeCAD
 
-from ..features.stages import DONE, NONE, STALE, WORKING, Stages, state_of
+from ..features.stages import DONE, NONE, STALE, Stages, state_of
 
 translate = FreeCAD.Qt.translate
 NEXT, OPEN, LATER = "next", "open", "later"
@@ -315,5 +315,3 @@ DOORS: Tuple[Door, ...] = (
         _voxel_steps(),
     ),
 )
-#: States in which a step is not to be run by a click: it runs already.
-BUSY = (WORKING,)

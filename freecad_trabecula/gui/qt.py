@@ -47,11 +47,6 @@ def flags_of(*buttons: Any) -> Any:
         return flags
 
 
-def is_button(pressed: Any, button: Any) -> bool:
-    """Return whether ``pressed``, as a task panel's ``clicked`` gets it (a number or an enumeration), is ``button``."""
-    return int(getattr(pressed, "value", pressed)) == int(getattr(button, "value", button))
-
-
 def icon_path(name: str) -> str:
     """Return the path of an icon of the workbench."""
     return str(RESOURCES / "icons" / (name + ".svg"))

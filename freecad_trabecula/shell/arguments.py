@@ -10,7 +10,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
+from typing import IO, Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple
 
 from . import report_options, slice_options, voxel_options
 from .option_values import PROGRAM, pair, whole_number
@@ -69,6 +69,10 @@ class Parser(argparse.ArgumentParser):
         """Print the sentence and leave with exit code 2."""
         sys.stderr.write(f"{self.prog}: {message} (--help shows what there is)\n")
         sys.exit(2)
+
+    def print_help(self, file: Optional[IO[str]] = None) -> None:
+        """Print the help; where it cannot be written argparse itself would say nothing."""
+        (file or sys.stdout).write(self.format_help())
 
 
 def _design_options(parser: argparse.ArgumentParser) -> None:

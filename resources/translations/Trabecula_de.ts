@@ -2369,24 +2369,9 @@
         <translation>eine Kurve entlang {} muss mindestens einen Punkt haben, hier {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
-        <source>a curve must have at least one point, got {}</source>
-        <translation>eine Kurve muss mindestens einen Punkt haben, hier {}</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve's places along {} must lie in 0..1 of the edge, got {}</source>
         <translation>die Orte einer Kurve entlang {} müssen in 0..1 der Kante liegen, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
-        <source>a curve's points must be finite, got {}</source>
-        <translation>die Punkte einer Kurve müssen endlich sein, hier {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
-        <source>a curve's points must differ along the axis, got {}</source>
-        <translation>die Punkte einer Kurve müssen sich entlang der Achse unterscheiden, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
@@ -4218,6 +4203,11 @@
         <translation>Lücken schließen, höchstens, mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>given tables are needed, got none</source>
+        <translation>nötig sind gegebene Tabellen, hier keine</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
         <translation>gegebene Tabellen brauchen eine Strategie, die Schichten aus ihnen füllt ({}), hier {}</translation>
@@ -4934,6 +4924,11 @@
         <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>no tolerance: voxels round the surface</source>
         <translation>keine Toleranz: Voxel rund um die Oberfläche</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
+        <source>no wavelengths were found that bring the numbers of trabeculae near to those asked for</source>
+        <translation>keine Wellenlängen wurden gefunden, die die Zahlen der Trabekel den verlangten nahe bringen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
@@ -6588,8 +6583,13 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
-        <source>the nearest one found has {} contacts{}</source>
-        <translation>der nächste gefundene hat {} Kontakte{}</translation>
+        <source>the nearest one found has {} contacts</source>
+        <translation>der nächste gefundene hat {} Kontakte</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>the nearest one found has {} contacts, one of them in layer {} along Z</source>
+        <translation>der nächste gefundene hat {} Kontakte, einen davon in Schicht {} entlang Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
@@ -7017,6 +7017,11 @@
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>there must be one row of measures for each contour, got {}, {}</source>
         <translation>zu jeder Kontur gehört eine Zeile Maße, hier {}, {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/triples.py"/>
+        <source>there must be three values, one along X, Y and Z each, got {}</source>
+        <translation>es müssen drei Werte sein, je einer längs X, Y und Z, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/report_text.py"/>

@@ -2369,24 +2369,9 @@
         <translation>una curva lungo {} deve avere almeno un punto, qui {}</translation>
     </message>
     <message>
-        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
-        <source>a curve must have at least one point, got {}</source>
-        <translation>una curva deve avere almeno un punto, qui {}</translation>
-    </message>
-    <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
         <source>a curve's places along {} must lie in 0..1 of the edge, got {}</source>
         <translation>le posizioni di una curva lungo {} devono stare in 0..1 del lato, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
-        <source>a curve's points must be finite, got {}</source>
-        <translation>i punti di una curva devono essere finiti, qui {}</translation>
-    </message>
-    <message>
-        <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
-        <source>a curve's points must differ along the axis, got {}</source>
-        <translation>i punti di una curva devono differire lungo l'asse, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/verification.py"/>
@@ -4218,6 +4203,11 @@
         <translation>chiusura lacune, massimo, mm</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>given tables are needed, got none</source>
+        <translation>servono tabelle date, qui nessuna</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/design.py"/>
         <source>given tables need a strategy that fills layers from them ({}), got {}</source>
         <translation>tabelle date richiedono una strategia che riempia gli strati da esse ({}), qui {}</translation>
@@ -4934,6 +4924,11 @@
         <location filename="../../freecad_trabecula/core/explanations/slice_numbers.py"/>
         <source>no tolerance: voxels round the surface</source>
         <translation>nessuna tolleranza: voxel attorno alla superficie</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/local_scale.py"/>
+        <source>no wavelengths were found that bring the numbers of trabeculae near to those asked for</source>
+        <translation>non si sono trovate lunghezze d'onda che portino i numeri di trabecole vicino a quelli richiesti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/explanations/explanation.py"/>
@@ -6588,8 +6583,13 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
-        <source>the nearest one found has {} contacts{}</source>
-        <translation>il più vicino trovato ha {} contatti{}</translation>
+        <source>the nearest one found has {} contacts</source>
+        <translation>il più vicino trovato ha {} contatti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
+        <source>the nearest one found has {} contacts, one of them in layer {} along Z</source>
+        <translation>il più vicino trovato ha {} contatti, uno dei quali nello strato {} lungo Z</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/small_boxes.py"/>
@@ -7017,6 +7017,11 @@
         <location filename="../../freecad_trabecula/core/analysis/branches.py"/>
         <source>there must be one row of measures for each contour, got {}, {}</source>
         <translation>serve una riga di misure per ogni contorno, qui {}, {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/triples.py"/>
+        <source>there must be three values, one along X, Y and Z each, got {}</source>
+        <translation>devono essere tre valori, uno lungo X, Y e Z ciascuno, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/report_text.py"/>

@@ -161,13 +161,6 @@ def test_finer_deflection_gives_more_triangles_within_bounds():
     assert coarse < fine <= (65, 64)
 
 
-def test_narrowest_area_shrinks_with_the_slant():
-    circle = circles(np.array([0.5]))
-    straight, slanted = upright(circle, circle), upright(circle, circle, shift=(10.0, 0.0))
-    assert r.narrowest_areas(straight)[0] == pytest.approx(math.pi / 16)
-    assert r.narrowest_areas(slanted)[0] == pytest.approx(math.pi / 16 / math.sqrt(2))
-
-
 def test_no_rod_gives_no_triangle():
     none = circles(np.zeros(0))
     rods = r.build_rods(np.zeros((0, 2, 4, 3)), r.RodEnds(np.zeros((0, 2, 3, 3)), none, none, np.zeros(0)), 5, 16)

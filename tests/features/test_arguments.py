@@ -3,6 +3,7 @@
 
 import inspect
 import os
+import re
 import sys
 import tempfile
 from dataclasses import replace
@@ -35,6 +36,7 @@ FIRST = {
     "contours_of": ("x",),
     "design_as_script": (),
     "edits_of": (),
+    "estimate_design": (None,),
     "estimate_voxel_design": (VOXELS,),
     "exact_slices": ("x",),
     "export": ("a.stl",),
@@ -47,6 +49,7 @@ FIRST = {
     "make_envelope": ("x.step",),
     "make_example": ("rods",),
     "make_face_sites": (FaceParameters("Face1"),),
+    "make_job_envelope": (small_job(),),
     "make_layer_shapes": ([0],),
     "make_network": (),
     "make_prism_sites": (),
@@ -77,7 +80,7 @@ NOT_HERE = {"Design", "default_parameters", "run_task", "take_results", "write_t
 def told(document):
     """Return what each object was told and says of itself: all but what is drawn of it."""
     return {
-        (obj.Name, name): str(getattr(obj, name))
+        (obj.Name, name): re.sub("0x[0-9a-f]+", "", str(getattr(obj, name)))  # where it lies in memory may change
         for obj in document.Objects
         for name in obj.PropertiesList
         if name not in ("Shape", "Mesh", "Proxy", "ViewObject")

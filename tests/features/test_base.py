@@ -55,6 +55,20 @@ class ParametersTest(DocumentCase):
     def blank(self):
         return self.document.addObject("App::FeaturePython", "Blank")
 
+    def test_every_length_is_a_property_with_the_unit_of_a_length(self):
+        seen = 0
+        for cls in base.BINDINGS:
+            obj = self.blank()
+            base.add_parameters(obj, cls)
+            for field in dataclasses.fields(cls):
+                name = base.property_name(cls, field.name)
+                for one in (name, name + "Low", name + "High"):
+                    if field.metadata.get("unit") == "mm" and one in obj.PropertiesList:
+                        kinds = ("App::PropertyLength", "App::PropertyVectorDistance", "App::PropertyVectorList")
+                        self.assertIn(obj.getTypeIdOfProperty(one), kinds, one)
+                        seen += 1
+        self.assertGreater(seen, 20)
+
     def test_every_field_survives_the_way_into_properties_and_back(self):
         for parameters in UNUSUAL:
             with self.subTest(cls=type(parameters).__name__):

@@ -68,12 +68,15 @@ class EnvelopeTest(WindowTest):
 
     def test_the_gate_goes_with_the_panel(self):
         body, other = self.add(Part.makeBox(10, 8, 6)), self.add(Part.makeBox(1, 1, 1), "Other")
-        panel = self.open_on(body, ["Face1"])
-        panel.fields.faces.pick_button.setChecked(True)
-        panel.reject()
-        FreeCADGui.Selection.addSelection(self.document.Name, other.Name, "Edge1")
-        self.assertEqual(len(FreeCADGui.Selection.getSelectionEx(self.document.Name)), 1)
-        self.assertFalse(panel.picker.active)
+        for way_out in (lambda panel: panel.reject(), lambda panel: FreeCADGui.Control.closeDialog()):
+            panel = self.open_on(body, ["Face1"])
+            panel.fields.faces.pick_button.setChecked(True)
+            way_out(panel)
+            settle()
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(self.document.Name, other.Name, "Edge1")
+            self.assertEqual(len(FreeCADGui.Selection.getSelectionEx(self.document.Name)), 1)
+            self.assertFalse(panel.picker.active)
 
     def test_a_picked_point_becomes_the_origin_of_its_face(self):
         body = self.add(Part.makeBox(10, 8, 6))

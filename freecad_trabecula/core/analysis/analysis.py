@@ -49,7 +49,7 @@ class Analysis:
     unit: str
     parameters: SliceParameters
     box: np.ndarray
-    facts: MeshFacts
+    facts: Optional[MeshFacts]
     profiles: Dict[str, Profile]
     measures: Dict[str, ContourMeasures]
     morphometry: Optional[Any] = None

@@ -12,7 +12,7 @@ from .comparison import QUANTITIES, Comparison, SharedAxis
 from .json_values import to_values, values_json
 from .passport import DEFINITIONS, Passport
 from .report_text import number_words, table, versions_line
-from .tables import csv_text
+from .tables import Column, csv_text
 
 KIND, SCHEMA = "slice comparison", 1
 REPORT, PAGE = "report.json", "report.md"
@@ -70,7 +70,7 @@ def _write(path: Path, text: str) -> None:
 
 def shared_csv(shared: SharedAxis, names: Sequence[str]) -> str:
     """Return the profiles of all samples on the shared layers of an axis as CSV text, one row per layer."""
-    columns: Dict[str, Sequence[Any]] = {
+    columns: Dict[str, Column] = {
         "layer": list(range(len(shared.middles))),
         "middle_mm": shared.middles,
         "bottom_mm": shared.edges[:-1],

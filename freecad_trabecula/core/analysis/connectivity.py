@@ -8,7 +8,7 @@ keeps Euler's relation, parts - handles + cavities = Euler number (Odgaard and G
 
 from __future__ import annotations
 
-from typing import NamedTuple, Tuple
+from typing import List, NamedTuple, Tuple
 
 import numpy as np
 
@@ -68,7 +68,7 @@ def _cells(padded: np.ndarray, open_end: bool = False) -> int:
 
     A cell of lower dimension belongs to the union if any voxel at it is solid: merged pairwise, direction by direction.
     """
-    merged = [((), padded)]
+    merged: List[Tuple[Tuple[bool, ...], np.ndarray]] = [((), padded)]
     for direction in range(padded.ndim):
         skip = 1 if open_end and direction == 0 else 0
         ahead = (slice(None),) * direction

@@ -93,7 +93,8 @@ def _close_pairs(points: np.ndarray, progress: Progress) -> Iterator[Tuple[np.nd
     origin = low.min(0)
     extent = float((high.max(0) - origin).max())
     size = max(float(np.median((high - low).max(1))) * _CELL, extent / _MOST_CELLS, 1e-9)
-    cells = _Cells(*(((x - origin) / size).astype(np.int32) for x in (low, high)), low, high)
+    first, last = (((x - origin) / size).astype(np.int32) for x in (low, high))
+    cells = _Cells(first, last, low, high)
     layers = np.cumsum(np.bincount(cells.first[:, 2]))
     bottom, top = 0, len(layers)
     while bottom < top:

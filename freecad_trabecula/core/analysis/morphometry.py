@@ -14,6 +14,7 @@ import numpy as np
 
 from ...errors import MeshError
 from ..progress import Progress, part, silent
+from ..triples import triple
 from .anisotropy import Fabric, fabric_of_triangles, fabric_of_voxels
 from .branches import Branches
 from .connectivity import connectivity
@@ -217,7 +218,7 @@ def _measured(
 ) -> Morphometry:
     notes: List[str] = []
     values: Dict[str, float] = {"TV": voxels.volume, "BV/TV.vox": voxels.solid_fraction}
-    if triangles is not None:
+    if triangles is not None and box is not None:
         values.update(_mesh_values(triangles, box, voxels.solid_fraction, notes))
     thickness, spacing = _sizes(voxels, notes, part(progress, 0.05, 0.7))
     values.update(_size_values(thickness, spacing))
@@ -233,7 +234,7 @@ def _measured(
     )
     return Morphometry(
         voxels.size,
-        tuple(int(n) for n in voxels.solid.shape[::-1]),
+        triple(int(n) for n in voxels.solid.shape[::-1]),
         measures,
         thickness.edges,
         thickness.shares,

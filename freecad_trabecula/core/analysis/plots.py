@@ -269,7 +269,7 @@ def _heat_map_figure(comparison: Comparison, analyses: Sequence[Analysis]) -> An
             edges = (coordinate_edges(analysis.profiles[axis], origin), levels)
             parts.append((grid[k, column], where, measures.area[rows], edges))
     most = max(float(np.histogram2d(where, values, bins=edges)[0].max()) for _, where, values, edges in parts)
-    meshes = [draw_heat_map(*part, most) for part in parts]
+    meshes = [draw_heat_map(axes, where, values, edges, most) for axes, where, values, edges in parts]
     for column, axis in enumerate(axes_names):
         spans = [part[3][0] for part in parts[column :: len(axes_names)]]
         grid[0, column].set_xlim(min(s[0] for s in spans), max(s[-1] for s in spans))
@@ -322,7 +322,7 @@ def _finish(axes: Any, across: str, up: str) -> None:
 def _level(axes: Any, size: float = 0.0) -> None:
     """Draw what is equal but for rounding as a level line; ``size`` as ``shown_range`` takes it."""
     found = axes.get_ylim()
-    shown = shown_range(*found, size)
+    shown = shown_range(found[0], found[1], size)
     if shown != found:
         axes.set_ylim(shown)
 

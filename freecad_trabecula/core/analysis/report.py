@@ -35,7 +35,7 @@ def analysis_checks(analysis: Analysis) -> Tuple[Check, ...]:
     doi:10.1137/1.9781611970081): this is the tolerance. Mean bone fractions of axes may differ by the sum of two
     axes' tolerances and of the parts of a layer by which their stacks miss the box.
     """
-    if volume_reason(analysis):
+    if analysis.facts is None or volume_reason(analysis):
         return ()
     volume = analysis.facts.volume
     found: List[Check] = []

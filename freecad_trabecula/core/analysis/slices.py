@@ -48,7 +48,7 @@ class _Pieces(NamedTuple):
     fall: np.ndarray
     rise: np.ndarray
     first: np.ndarray
-    count: np.ndarray
+    planes: np.ndarray
 
 
 class Placed(NamedTuple):
@@ -96,7 +96,7 @@ def sliced_areas(triangles: np.ndarray, axis: str, heights: np.ndarray, side: st
     middle = [float(c.min() + (c.max() - c.min()) / 2) for c in (corners.first, corners.second)]
     for cut in _cut_triangles(corners.height, heights, side, progress):
         pieces = _pieces(cut, count, 0, len(heights))
-        of, plane = _nodes(pieces.first, pieces.count)
+        of, plane = _nodes(pieces.first, pieces.planes)
         height = heights[plane]
         u, v = _crossings(corners, next_corner(pieces.fall, count), pieces.fall, of, height)
         p, q = _crossings(corners, pieces.rise, next_corner(pieces.rise, count), of, height)

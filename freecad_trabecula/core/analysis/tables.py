@@ -16,6 +16,8 @@ from .branches import Branches
 from .contours import ContourMeasures
 from .profiles import Profile
 
+#: Values of one column, one a row.
+Column = Union[np.ndarray, Sequence[Any]]
 PROFILE_COLUMNS = ("layer", "coordinate_mm", "sliced_area_mm2", "contours", "outer_contours", "porosity")
 #: Of one row per contour: ``u`` and ``v`` are the axes in the plane (axis x: y and z, y: z and x, z: x and y);
 #: ``parent`` is the row of the contour in which a hole or an island lies, -1 for none.
@@ -31,7 +33,7 @@ _WHOLE = ("layer", "contours", "outer_contours", "rod", "rod_invariant", "parent
 
 def profile_csv(profile: Profile) -> str:
     """Return a profile as CSV text, one row per slice (``PROFILE_COLUMNS``)."""
-    columns = (
+    columns: Tuple[Column, ...] = (
         *(np.arange(len(profile.coordinate)), profile.coordinate, profile.sliced_area),
         *(profile.contours, profile.outer_contours, profile.porosity),
     )
@@ -65,19 +67,19 @@ def contour_columns(measures: ContourMeasures, coordinate: np.ndarray) -> Dict[s
 def branches_csv(branches: Branches) -> str:
     """Return what becomes of the trabeculae from slice to slice as CSV text, one row per slice (``BRANCH_COLUMNS``)."""
     count = len(branches.heights)
-    columns = (
+    columns: Tuple[Column, ...] = (
         *(np.arange(count), branches.heights, np.bincount(branches.plane, minlength=count)),
         *(branches.appear, branches.end, branches.split, branches.join),
     )
     return csv_text(dict(zip(BRANCH_COLUMNS, columns)))
 
 
-def csv_text(columns: Mapping[str, Sequence[Any]]) -> str:
+def csv_text(columns: Mapping[str, Column]) -> str:
     """Return columns of equal length as CSV text; floats with the digits that make them again, nan as nothing."""
     return "".join(csv_blocks(columns))
 
 
-def csv_blocks(columns: Mapping[str, Sequence[Any]]) -> Iterator[str]:
+def csv_blocks(columns: Mapping[str, Column]) -> Iterator[str]:
     """Yield what ``csv_text`` returns, the line of names first, then blocks of lines."""
     yield ",".join(_quoted(name) for name in columns) + "\n"
     count = len(next(iter(columns.values()), ()))
@@ -86,7 +88,7 @@ def csv_blocks(columns: Mapping[str, Sequence[Any]]) -> Iterator[str]:
         yield "\n".join(map(",".join, zip(*cells))) + "\n"
 
 
-def _cells(values: Sequence[Any]) -> List[str]:
+def _cells(values: Column) -> List[str]:
     array = np.asarray(values)
     if array.dtype.kind == "f":
         texts = list(map(repr, array.tolist()))

@@ -19,6 +19,7 @@ import numpy as np
 
 from ...errors import MeshError
 from ..progress import Progress, part, silent
+from ..triples import triple
 
 _FAR = np.int32(1 << 14)  # more voxels than any direction has
 _WRITES = 4_000_000  # voxels painted at once
@@ -162,7 +163,7 @@ def _centres(padded: np.ndarray, largest: int, progress: Progress) -> np.ndarray
     limits = {}
     for number, step in enumerate(steps):
         progress(number, len(steps), "largest balls")
-        kind = tuple(sorted(abs(s) for s in step))
+        kind = triple(sorted(abs(s) for s in step))
         if kind not in limits:
             limits[kind] = _needed(kind, largest)
         neighbours = flat[(places + int(strides @ step)).clip(0, len(flat) - 1)]

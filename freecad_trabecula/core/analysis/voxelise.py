@@ -5,13 +5,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Optional, Sequence, Tuple
+from typing import Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...errors import MeshError, ParameterError
 from ..progress import Progress, silent
 from ..rays import RayGrid, crossings, union_intervals
+from ..triples import triple
+
+#: Low and high corner, mm.
+Box = Union[np.ndarray, Sequence[Sequence[float]]]
 
 DEFAULT_CELLS = 200  # along the longest edge of the box: the most that are taken unasked
 FEWEST_CELLS = 100  # and the fewest
@@ -62,7 +67,7 @@ class Voxels:
         return float(np.count_nonzero(self.solid) / self.solid.size)
 
 
-def default_size(low: Sequence[float], high: Sequence[float]) -> float:
+def default_size(low: ArrayLike, high: ArrayLike) -> float:
     """Return the edge, mm, of voxels of which 200 lie along the longest edge of a box."""
     return float(np.max(np.asarray(high, float) - np.asarray(low, float))) / DEFAULT_CELLS
 
@@ -84,7 +89,7 @@ def mean_thickness(triangles: np.ndarray) -> float:
     return 2 * volume / surface if surface > 0 else math.nan
 
 
-def fitting_size(triangles: np.ndarray, box: Sequence[Sequence[float]]) -> float:
+def fitting_size(triangles: np.ndarray, box: Box) -> float:
     """Return the edge, mm, of voxels that resolve a closed mesh: eight across its mean thickness, 100 to 200 in all.
 
     Parameters
@@ -100,7 +105,7 @@ def fitting_size(triangles: np.ndarray, box: Sequence[Sequence[float]]) -> float
     return size_for(abs(mean_thickness(triangles)), box)
 
 
-def size_for(thickness: float, box: Sequence[Sequence[float]]) -> float:
+def size_for(thickness: float, box: Box) -> float:
     """Return the edge, mm, of voxels for a body of a mean thickness, mm, in a box; nan: it is not known."""
     finest = default_size(*box)
     if math.isnan(thickness):
@@ -111,7 +116,7 @@ def size_for(thickness: float, box: Sequence[Sequence[float]]) -> float:
 def voxelise(
     triangles: np.ndarray,
     size: float,
-    box: Optional[Sequence[Sequence[float]]] = None,
+    box: Optional[Box] = None,
     progress: Progress = silent,
 ) -> Voxels:
     """Return the voxels of closed meshes in a box.
@@ -147,7 +152,7 @@ def voxelise(
         start = (origin[1] + size / 2, origin[2] + size / 2)
         grid = RayGrid(0, start, (size, size), (0, first), (counts[1], layers))
         solid[first : first + layers] = _filled(triangles, grid, origin[0], size, counts[0])
-    return Voxels(solid, float(size), tuple(float(x) for x in origin))
+    return Voxels(solid, float(size), triple(float(x) for x in origin))
 
 
 def _grid(low: np.ndarray, high: np.ndarray, size: float) -> Tuple[np.ndarray, np.ndarray]:

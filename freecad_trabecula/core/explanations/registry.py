@@ -70,7 +70,7 @@ def page() -> str:
     """Return docs/measures.md."""
     parts = [_HEAD]
     for title, group in GROUPS:
-        rows = [("number", "unit", "formula", "source", "second route"), ("---",) * 5]
+        rows: List[Tuple[str, ...]] = [("number", "unit", "formula", "source", "second route"), ("---",) * 5]
         rows += [_row(one) for one in group]
         table = "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows)
         parts.append(f"## {title}\n\n{table}\n")

@@ -114,7 +114,8 @@ def _with_places(ticks: Sequence[float], low: float, high: float, words: Words) 
 
 
 def _legend(names: Sequence[str]) -> List[str]:
-    parts, x = [], _WIDTH - _RIGHT
+    parts: List[str] = []
+    x = _WIDTH - _RIGHT
     if len(names) < 2:
         return parts
     for number in range(len(names))[::-1]:

@@ -62,13 +62,13 @@ def block_mesh(voxels: np.ndarray, voxel: Sequence[float], origin: Sequence[floa
 def _outer_faces(voxels: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
     """Faces between solid and void: grid vertices of their corners (F, 4), and the voxels they belong to (F,)."""
     padded = np.pad(voxels, 1)
-    size = [s + 1 for s in voxels.shape]
+    size = tuple(s + 1 for s in voxels.shape)
     corners, owners = [], []
     for step, places in _FACES:
         beyond = padded[tuple(slice(1 + s, 1 + s + n) for s, n in zip(step, voxels.shape))]
         owner = np.flatnonzero(voxels & ~beyond)
         low = np.stack(np.unravel_index(owner, voxels.shape), 1)
-        corners.append(np.stack([np.ravel_multi_index((low + place).T, size) for place in places], 1))
+        corners.append(np.stack([np.ravel_multi_index(tuple((low + place).T), size) for place in places], 1))
         owners.append(owner)
     return np.concatenate(corners), np.concatenate(owners)
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import Tuple
+from typing import Sequence, Tuple
 
 import numpy as np
 
@@ -49,7 +49,7 @@ def chosen_field(parameters: VoxelParameters, shape: Tuple[int, int, int]) -> np
     return blob if parameters.field == "centre" else -blob
 
 
-def smooth_noise(shape: Tuple[int, int, int], lengths: Tuple[float, ...], stream: Stream) -> np.ndarray:
+def smooth_noise(shape: Tuple[int, int, int], lengths: Sequence[float], stream: Stream) -> np.ndarray:
     """Return white noise smoothed by boxes of half a wavelength along each axis, (P, M, N) float64.
 
     Parameters

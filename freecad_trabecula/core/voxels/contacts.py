@@ -42,7 +42,7 @@ def _edge_sites(solid: Solid) -> np.ndarray:
             shifted.append(filled[tuple(here)])
         a, b, c, d = shifted
         places = np.nonzero((a == b) & (c == d) & (a != c))
-        base = sum(p * s for p, s in zip(places, strides))
+        base = np.dot(strides, places)
         found.append(base[:, None] + np.array([0, strides[u] + strides[v], strides[u], strides[v]]))
     return np.concatenate(found)
 
@@ -88,7 +88,7 @@ def _corner_sites(solid: Solid) -> np.ndarray:
     for start in product((0, 1), repeat=3):
         counts += filled[tuple(slice(s, s - 1 or None) for s in start)]
     places = np.nonzero((counts == 2) | (counts == 6))
-    base = sum(p * s for p, s in zip(places, solid.padded.strides))
+    base = np.dot(solid.padded.strides, places)
     return np.unique(_corner_sites_near(solid, base), axis=0) if len(base) else np.zeros((0, 8), np.int64)
 
 

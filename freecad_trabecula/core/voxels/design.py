@@ -12,6 +12,7 @@ import numpy as np
 
 from ...errors import ParameterError
 from ..progress import Progress, part, silent
+from ..triples import triple
 from .exact_search import is_small
 from .feasibility import check_feasible
 from .parameters import BYTES_PER_VOXEL, VoxelParameters, check_voxel_count
@@ -169,7 +170,7 @@ def estimate(layers: Tuple[int, int, int], strategy: str) -> Estimate:
     check_voxel_count(layers)
     cells = math.prod(layers)
     per_million = getattr(find_strategy(strategy), "SECONDS_PER_MILLION", 1.0)
-    return Estimate(tuple(layers), cells, 0.1 + cells * BYTES_PER_VOXEL / 1e9, per_million * cells / 1e6)
+    return Estimate(triple(layers), cells, 0.1 + cells * BYTES_PER_VOXEL / 1e9, per_million * cells / 1e6)
 
 
 def _checked_mask(mask: Optional[np.ndarray], targets: Targets) -> Optional[np.ndarray]:

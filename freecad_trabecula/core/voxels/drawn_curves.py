@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import List, Sequence, Tuple
+from typing import Any, Dict, List, Sequence, Tuple
 
 import numpy as np
 
 from ...errors import ParameterError
 from ..parameters import require
+from ..triples import triple
 from .parameters import VoxelParameters
 from .targets import AXES, Targets, layer_counts_of_box, targets_from_areas
 
@@ -146,7 +147,7 @@ def curve_volumes(curves: DrawnCurves) -> Tuple[float, float, float]:
     """
     middles = (np.arange(_FINE) + 0.5) / _FINE
     box = math.prod(curves.edges)
-    return tuple(round(box * float(curve_values(points, middles).mean()), 9) for points in curves.curves)
+    return triple(round(box * float(curve_values(points, middles).mean()), 9) for points in curves.curves)
 
 
 def reconciled(curves: DrawnCurves) -> DrawnCurves:
@@ -159,16 +160,16 @@ def reconciled(curves: DrawnCurves) -> DrawnCurves:
     """
     volumes = curve_volumes(curves)
     goal = sum(volumes) / 3
-    changed = {}
+    changed: Dict[str, Any] = {}
     for axis, points, volume in zip(AXES, curves.curves, volumes):
         require(volume > 0, f"a curve along {axis.upper()} must ask for some material", "0", "mm³")
         low, high = 0.0, 1.0 / max(min(share for _, share in points if share > 0), 1e-9)
         for _ in range(60):  # the factor with which the curve, cut at full layers, has the volume
             factor = (low + high) / 2
             scaled = tuple((place, min(1.0, factor * share)) for place, share in points)
-            got = curve_volumes(replace(curves, **{axis: scaled}))["xyz".index(axis)]
+            changed[axis] = scaled
+            got = curve_volumes(replace(curves, **changed))["xyz".index(axis)]
             low, high = (factor, high) if got < goal else (low, factor)
-        changed[axis] = scaled
     return replace(curves, **changed)
 
 
@@ -187,9 +188,9 @@ def curves_of_areas(areas: Sequence[np.ndarray], thickness: float) -> DrawnCurve
     ParameterError
         If an area is negative or larger than its layer.
     """
-    edges = tuple(len(a) * thickness for a in areas)
+    edges = triple(len(a) * thickness for a in areas)
     box = math.prod(edges)
-    return DrawnCurves(edges, *(_few_points(a * edge / box) for a, edge in zip(areas, edges)))
+    return DrawnCurves(edges, *triple(_few_points(a * edge / box) for a, edge in zip(areas, edges)))
 
 
 def _few_points(shares: np.ndarray) -> Points:

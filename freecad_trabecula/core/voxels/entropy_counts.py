@@ -16,6 +16,7 @@ samples is the standard error.
 from __future__ import annotations
 
 import math
+from functools import reduce
 from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
@@ -57,7 +58,7 @@ class FreeCells(NamedTuple):
 
 def _spread(values: Sequence[np.ndarray]) -> np.ndarray:
     """Return sums of one value per layer of each axis, for all cells."""
-    return sum(np.ix_(*values)) if len(values) > 1 else values[0]
+    return reduce(np.add, np.ix_(*values)) if len(values) > 1 else values[0]
 
 
 def _covariance(variance: np.ndarray) -> np.ndarray:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..parameters import require
 from ..progress import Progress, silent
+from ..triples import triple
 from .masks import main_part, targets_within
 from .parameters import VoxelParameters
 from .sources import cells_inside, check_closed
@@ -42,4 +43,4 @@ def targets_of_envelope(
     # the grid about the middle of the box: what is left over is shared by both ends
     origin = (low + high - np.asarray(layers) * np.asarray(parameters.size)) / 2
     mask = main_part(cells_inside(triangles, layers, parameters.size, origin, parameters.boundary, progress))
-    return targets_within(mask, [density] * 3, parameters.size, tuple(origin.tolist())), mask
+    return targets_within(mask, [density] * 3, parameters.size, triple(origin.tolist())), mask

@@ -8,7 +8,8 @@ other two axes see nothing. Where no line serves, the two are chosen freely and 
 
 from __future__ import annotations
 
-from typing import Iterator, List, Optional, Sequence, Tuple
+from functools import reduce
+from typing import Callable, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from ..progress import Progress, silent
 from ..streams import mix
 from .connectivity import Solid
 from .plane_offsets import FORBIDDEN, layer_sums
+
+#: Which of voxels (C,) may be flipped.
+Legal = Callable[[np.ndarray], np.ndarray]
 
 _PAIRS = 12  # pairs of layers tried before a line is given up for free places
 _FEW = 1024  # best places looked at together
@@ -72,7 +76,7 @@ class ExactMoves:
             places = [
                 np.zeros(1, np.int64) if i == axis else np.arange(n) + solid.pad for i, n in enumerate(solid.shape)
             ]
-            self._lines.append(sum(np.ix_(*[p * s for p, s in zip(places, strides)])).reshape(-1))
+            self._lines.append(reduce(np.add, np.ix_(*[p * s for p, s in zip(places, strides)])).reshape(-1))
 
     # ------------------------------------------------------------------------------------------------- what is where
 
@@ -209,7 +213,7 @@ class ExactMoves:
 
     # ------------------------------------------------------------------------------------------------------ one by one
 
-    def _best(self, index: np.ndarray, cost: np.ndarray, legal: object, most: int = 1) -> np.ndarray:
+    def _best(self, index: np.ndarray, cost: np.ndarray, legal: Legal, most: int = 1) -> np.ndarray:
         """Return up to so many legal voxels of least cost among voxels (C,), which may be flipped at once."""
         for order in ascending(cost):
             some = index[order]
@@ -336,7 +340,7 @@ class ExactMoves:
         for i in [k for k in range(3) if k != axis] + [axis]:  # across first, then along the axis
             while place[i] != end[i]:
                 place[i] += 1 if end[i] > place[i] else -1
-                one = np.array([self.solid.index_of(*place)])
+                one = self.solid.index_of(*(np.array([n]) for n in place))
                 if self.solid.flat[one][0]:
                     continue
                 if not self.solid.addable(one)[0]:

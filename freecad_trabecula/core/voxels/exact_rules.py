@@ -12,6 +12,7 @@ from itertools import product
 from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..labelling import scipy_ndimage
 from .connectivity import closed_cavities, parts
@@ -52,7 +53,7 @@ class _Program:
             layers = np.moveaxis(self.cells, axis, 0).reshape(len(count), -1)
             self.add(layers, np.ones(layers.shape), count, count)
 
-    def add(self, columns: np.ndarray, values: np.ndarray, low: np.ndarray, high: np.ndarray) -> None:
+    def add(self, columns: np.ndarray, values: np.ndarray, low: ArrayLike, high: ArrayLike) -> None:
         """Add constraints low <= sum of values x voxels <= high; arrays (rows, terms), bounds (rows,) or numbers."""
         rows = np.repeat(np.arange(len(columns)), columns.shape[1])
         bounds = [np.broadcast_to(np.asarray(bound, float), (len(columns),)) for bound in (low, high)]

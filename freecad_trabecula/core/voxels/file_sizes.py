@@ -49,5 +49,5 @@ def estimated_size(kind: str, voxels: np.ndarray) -> int:
     if kind == "bmp":
         return layers * (_BMP_HEAD + rows * (-(-columns // _BMP_ROW) * _BMP_ROW))
     require(kind == "tiff", "the kind must be one of npy, nrrd, vti, png, bmp, tiff", repr(kind))
-    packed = sum(len(zlib.compress(layer_image(voxels[k]).tobytes(), 6)) for k in chosen)
-    return round(share * packed) + _PAGE * layers
+    size = sum(len(zlib.compress(layer_image(voxels[k]).tobytes(), 6)) for k in chosen)
+    return round(share * size) + _PAGE * layers

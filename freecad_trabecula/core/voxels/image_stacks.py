@@ -20,6 +20,7 @@ from ..optional_packages import optional_module
 from ..parameters import require
 from ..progress import Progress, silent
 from ..stl import whole_file
+from ..triples import triple
 from .volume_files import Volume
 
 KINDS = ("png", "bmp", "tiff")
@@ -197,7 +198,7 @@ def read_stack(path: Union[str, Path], voxel: Optional[Sequence[float]] = None, 
     if found is None:
         raise ParameterError(f"the pixels of {path} must have a pitch: none stands in the images, and none was given")
     require(len(found) == 3 and min(found) > 0, "a pitch must be three lengths above 0", found, "mm")
-    return Volume(np.stack(layers)[:, ::-1], found, (0.0, 0.0, 0.0))
+    return Volume(np.stack(layers)[:, ::-1], triple(found), (0.0, 0.0, 0.0))
 
 
 def _grey(pixels: np.ndarray, name: Path) -> np.ndarray:

@@ -52,7 +52,8 @@ def joined_solid(
     """
     total = int(targets[0].sum())
     mask = field > FORBIDDEN / 2
-    offsets, little = None, _LITTLE
+    offsets: Optional[List[np.ndarray]] = None
+    little = _LITTLE
     for attempt in range(_ROUNDS):
         widest = 0.5 if offsets is None else 2.0**-6
         offsets = newton_offsets(field, targets, offsets, widest, progress=progress)
@@ -75,7 +76,7 @@ def joined_solid(
                 break
         field[changed & solid] += _LIFT
         field[changed & wanted] -= _LIFT
-    if not solid.any():
+    if offsets is None or not solid.any():
         raise ExactnessError(f"no part with {total} voxels was found in the field")
     return solid, offsets
 

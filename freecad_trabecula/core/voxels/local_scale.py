@@ -12,6 +12,7 @@ from typing import Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
+from ...errors import ExactnessError
 from ..progress import Progress, silent
 from ..streams import Stream
 from .texture import QUANTUM, Texture, gaussian_slabs, trabecular_field
@@ -140,4 +141,6 @@ def locally_fitted(
             if goal is not None:
                 moved = logs[axis] + _GAIN * _smoothed(_log_ratio(found, goal), times - 1)
                 logs[axis] = _rounded(np.clip(moved, _SHORTEST, _LONGEST))
+    if best[1] is None:
+        raise ExactnessError("no wavelengths were found that bring the numbers of trabeculae near to those asked for")
     return best[1]

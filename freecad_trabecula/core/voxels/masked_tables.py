@@ -33,7 +33,8 @@ _FREE_TRIES = 3  # pairs drawn freely; then alpha is that of voxels whose counts
 def masked_caps(targets: Targets, parameters: VoxelParameters, mask: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
     """Return the most voxels in each line (x, z) and (y, z): ndarrays (P, N), (P, M), as the tables' rows lie."""
     cells = layer_sums(mask)
-    return tuple(np.minimum(table.T, cap) for table, cap in zip(cells, caps_of(targets, parameters)))
+    alpha, beta = (np.minimum(table.T, cap) for table, cap in zip(cells, caps_of(targets, parameters)))
+    return alpha, beta
 
 
 def check_tables_exist(targets: Targets, parameters: VoxelParameters, mask: np.ndarray) -> None:

@@ -11,9 +11,11 @@ import math
 from typing import Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...errors import InfeasibleError, ParameterError
 from ..parameters import require
+from ..triples import triple
 from .connectivity import parts
 from .plane_offsets import layer_sums
 from .targets import Targets
@@ -60,7 +62,7 @@ def allowed_voxels(counts: Sequence[np.ndarray], mask: Optional[np.ndarray]) -> 
 
 def targets_within(
     mask: np.ndarray,
-    densities: Sequence[np.ndarray],
+    densities: Sequence[ArrayLike],
     voxel: Tuple[float, float, float] = (0.1, 0.1, 0.1),
     origin: Tuple[float, float, float] = (0.0, 0.0, 0.0),
     sample: Optional[np.ndarray] = None,
@@ -98,8 +100,8 @@ def targets_within(
         real.append(share * room)
     total = math.floor(sum(float(r.sum()) for r in real) / 3 + 0.5)
     require(total > 0, "a design must have at least one voxel; the densities in this mask make", total, "voxels")
-    counts = [_shared(r, room, total, axis) for axis, (r, room) in enumerate(zip(real, cells))]
-    return Targets(*counts, tuple(voxel), tuple(origin), sample=sample)
+    counts = triple(_shared(r, room, total, axis) for axis, (r, room) in enumerate(zip(real, cells)))
+    return Targets(*counts, triple(voxel), triple(origin), sample=sample)
 
 
 def _shared(real: np.ndarray, room: np.ndarray, total: int, axis: int) -> np.ndarray:

@@ -61,12 +61,6 @@ class Step(NamedTuple):
         """Whether one of the two conditions holds."""
         return self.condition_6_21 or self.condition_6_22
 
-    @property
-    def smallest(self) -> int:
-        """The smallest need above 0 in alpha and beta together; 0 at the end."""
-        needs = np.concatenate([self.alpha, self.beta])
-        return int(needs[needs > 0].min()) if needs.any() else 0
-
 
 def propagation_steps(
     alpha: np.ndarray, beta: np.ndarray, direction: str = "rows", order: str = "minimum"

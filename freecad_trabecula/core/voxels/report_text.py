@@ -123,7 +123,7 @@ def _figures(record: Mapping[str, Any]) -> List[Tuple[str, str]]:
 
 
 def _axes(record: Mapping[str, Any]) -> List[Tuple[str, ...]]:
-    rows = []
+    rows: List[Tuple[str, ...]] = []
     for axis, letter, name in zip("xyz", "DEC", "NMP"):
         trabeculae = record["trabeculae"][axis]
         asked = f"{trabeculae['target_mean']:.1f}" if "target_mean" in trabeculae else ""

@@ -131,8 +131,8 @@ class SmallBox:
             has = asked - int(annealing.lacking[axis][layer])
             return f"the nearest one found has {has} voxels instead of {asked} in layer {layer} along {'ZYX'[axis]}"
         places = edge_contact_voxels(annealing.voxels)
-        layer = f", one of them in layer {int(np.flatnonzero(places.any((1, 2)))[0])} along Z" if places.any() else ""
-        return f"the nearest one found has {annealing.contacts} contacts{layer}"
+        where = f", one of them in layer {int(np.flatnonzero(places.any((1, 2)))[0])} along Z" if places.any() else ""
+        return f"the nearest one found has {annealing.contacts} contacts{where}"
 
     def _relaxed(self, start: np.ndarray, heights: np.ndarray, progress: Progress) -> str:
         """Return what to relax: looser contacts where they are enough, else the one part."""

@@ -67,7 +67,7 @@ def cubes_surface(
     padded = np.pad(voxels, 2)
     shape, step = padded.shape, np.asarray(voxel, float)
     low = np.asarray(origin, float) - 1.5 * step  # of the first padded node, the centre of its voxel
-    surface = Surface(shape[1:], True)
+    surface = Surface((shape[1], shape[2]), True)
     for start in range(0, shape[0] - 1, _LAYERS):
         stop = min(start + _LAYERS, shape[0] - 1)
         progress(start, shape[0], "surface of the voxels")

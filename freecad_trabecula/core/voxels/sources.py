@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...errors import ExportError, MeshError, ParameterError
 from ..analysis.analysis import Analysis
@@ -19,6 +20,7 @@ from ..analysis.triangles import read_soup
 from ..analysis.voxelise import mean_thickness, voxelise
 from ..parameters import require
 from ..progress import Progress, part, silent
+from ..triples import triple
 from .parameters import VoxelParameters
 from .slabs import slab_volumes
 from .targets import AXES, Targets, layer_counts_of_box, targets_from_areas
@@ -156,7 +158,7 @@ def cells_inside(
     """Return the cells of a grid of N, M, P layers that lie in a closed mesh, (P, M, N) bool, as ``read_mask``."""
     fine = 1 if boundary == "half" else 3
     size = np.asarray(voxel, float) / fine
-    points = _voxelised(triangles, np.asarray(origin, float), tuple(fine * n for n in layers), size, progress)
+    points = _voxelised(triangles, np.asarray(origin, float), triple(fine * n for n in layers), size, progress)
     points = points.reshape([k for n in layers[::-1] for k in (n, fine)])
     return points.any((1, 3, 5)) if boundary == "touched" else points.all((1, 3, 5))
 
@@ -204,7 +206,7 @@ def targets_of_triangles(triangles: np.ndarray, parameters: VoxelParameters, pro
 
 
 def _voxelised(
-    triangles: np.ndarray, low: np.ndarray, layers: Tuple[int, int, int], size: Sequence[float], progress: Progress
+    triangles: np.ndarray, low: np.ndarray, layers: Tuple[int, int, int], size: ArrayLike, progress: Progress
 ) -> np.ndarray:
     """Voxels of a mesh on the design's own grid, (P, M, N) bool; cells that are no cubes are made so first."""
     scaled = (np.asarray(triangles, float) - low) / np.asarray(size)
@@ -247,8 +249,8 @@ def targets_of_profiles(analysis: Analysis, parameters: VoxelParameters) -> Targ
     counts = [analysis.profiles[axis].outer_contours.astype(np.int64) for axis in AXES]
     facts = analysis.facts
     thickness = 2 * facts.volume / facts.area if facts is not None and facts.area > 0 else math.nan
-    asked = tuple(counts) if parameters.trabeculae != "off" else None
-    return targets_from_areas(areas, parameters, tuple(analysis.box[0].tolist()), None, asked, thickness)
+    asked = triple(counts) if parameters.trabeculae != "off" else None
+    return targets_from_areas(areas, parameters, triple(analysis.box[0].tolist()), None, asked, thickness)
 
 
 def areas_of_profiles(analysis: Analysis, thickness: Sequence[float]) -> List[np.ndarray]:
@@ -312,7 +314,7 @@ def targets_of_csv(path: Union[str, Path], parameters: VoxelParameters) -> Targe
                 f"{path} must have the layers 0, 1, ... along {axis}", sorted(layers)[:5])  # fmt: skip
         arrays.append(np.array([layers[k] for k in range(len(layers))]))
     if column == COUNT:
-        return Targets(*arrays, parameters.size)
+        return Targets(*triple(arrays), parameters.size)
     return targets_from_areas(arrays, parameters)
 
 
@@ -372,11 +374,11 @@ def targets_of_json(path: Union[str, Path]) -> Targets:
     counts = record.get("trabeculae")
     try:
         return Targets(
-            *(np.array(record[key]) for key in "DEC"),
-            tuple(float(edge) for edge in record["voxel_mm"]),
-            tuple(record.get("origin_mm", (0.0, 0.0, 0.0))),
-            tuple(record.get("deltas", {}).get(f"delta_{axis}", 0) for axis in "XYZ"),
-            trabeculae=None if counts is None else tuple(np.array(counts[axis]) for axis in AXES),
+            *triple(np.array(record[key]) for key in "DEC"),
+            triple(float(edge) for edge in record["voxel_mm"]),
+            triple(record.get("origin_mm", (0.0, 0.0, 0.0))),
+            triple(record.get("deltas", {}).get(f"delta_{axis}", 0) for axis in "XYZ"),
+            trabeculae=None if counts is None else triple(np.array(counts[axis]) for axis in AXES),
             thickness=math.nan if record.get("mean_thickness_mm") is None else float(record["mean_thickness_mm"]),
         )
     except (TypeError, KeyError, AttributeError) as error:

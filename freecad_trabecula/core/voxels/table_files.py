@@ -20,6 +20,7 @@ from ...errors import ParameterError
 from ..analysis.workbook import require_openpyxl
 from ..parameters import require
 from ..stl import whole_file
+from ..triples import triple
 from .targets import Targets
 
 SHEETS = ("alpha", "beta")
@@ -164,10 +165,10 @@ def targets_of_tables(path: Union[str, Path], voxel: Sequence[float]) -> Targets
     same = len(alpha.rows) == len(beta.rows) and bool((alpha.rows == beta.rows).all())
     got = f"{len(alpha.rows)} and {len(beta.rows)} layers of {alpha.rows.sum()} and {beta.rows.sum()} voxels"
     require(same, "alpha and beta must have the same counts in the layers along Z", got)
-    return Targets(alpha.columns, beta.columns, alpha.rows, tuple(voxel), tables=(alpha.cells, beta.cells))
+    return Targets(alpha.columns, beta.columns, alpha.rows, triple(voxel), tables=(alpha.cells, beta.cells))
 
 
-def _table_of(rows: List[Sequence[Any]], where: str) -> ReadTable:
+def _table_of(rows: Sequence[Sequence[Any]], where: str) -> ReadTable:
     require(len(rows) > 1 and len(rows[0]) > 1, f"{where}: a table must have sums and cells, got rows", len(rows))
     widths = {len(row) for row in rows}
     require(len(widths) == 1, f"{where}: all rows must have the same length", sorted(widths))

@@ -139,14 +139,12 @@ def pair_errors(
         If a table has another shape.
     """
     caps = caps_of(targets, parameters) if mask is None else masked_caps(targets, parameters, mask)
-    found = [
-        table_errors(table.T, targets.c, columns, cap)
-        for table, columns, cap in zip((alpha, beta), (targets.d, targets.e), caps)
-    ]
-    if any(found):
-        return PairErrors(*found, np.zeros(0, int))
+    first = table_errors(alpha.T, targets.c, targets.d, caps[0])
+    second = table_errors(beta.T, targets.c, targets.e, caps[1])
+    if first or second:
+        return PairErrors(first, second, np.zeros(0, int))
     exist = compatible_layers(alpha, beta) if mask is None else masked_layers_exist(alpha, beta, mask)
-    return PairErrors(*found, np.flatnonzero(~exist))
+    return PairErrors(first, second, np.flatnonzero(~exist))
 
 
 def draw_pair(
@@ -207,7 +205,9 @@ def given_pair(targets: Targets, parameters: VoxelParameters, mask: Optional[np.
     InfeasibleError
         If layers of the two tables are not compatible; the first is named.
     """
-    alpha, beta = targets.tables or ()
+    if targets.tables is None:
+        raise ParameterError("given tables are needed, got none")
+    alpha, beta = targets.tables
     errors = pair_errors(targets, parameters, alpha, beta, mask)
     words, count = errors.first()
     if count:
@@ -257,7 +257,7 @@ def _pair_by_repeating(targets: Targets, parameters: VoxelParameters, stream: St
         progress(attempt - 1, parameters.tries, "tables")
         pair = _independent_pair(targets, parameters, stream)
         if pair is not None and compatible_layers(*pair).all():
-            return TablePair(*pair, attempt, 0, 0)
+            return TablePair(pair[0], pair[1], attempt, 0, 0)
     raise ExactnessError(
         f"none of {parameters.tries} pairs of tables was compatible; pairing 'constraint' finds them by construction, "
         "and lower caps make them likelier"

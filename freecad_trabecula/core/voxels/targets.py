@@ -16,6 +16,7 @@ import numpy as np
 from ...errors import InfeasibleError, ParameterError
 from ..parameters import require
 from ..streams import Stream
+from ..triples import triple
 from .parameters import AREAS, CORRECTIONS, TOTALS, VoxelParameters, check_voxel_count
 
 AXES = ("x", "y", "z")
@@ -188,8 +189,9 @@ def layer_counts_of_box(edges: Sequence[float], voxel: Sequence[float], areas: s
             f"{size:g}", "mm",
         )  # fmt: skip
         layers.append(whole)
-    check_voxel_count(tuple(layers))
-    return tuple(layers)
+    found = triple(layers)
+    check_voxel_count(found)
+    return found
 
 
 def targets_from_areas(
@@ -218,23 +220,24 @@ def targets_from_areas(
     InfeasibleError
         If a layer's area is larger than the layer.
     """
-    areas = tuple(np.asarray(a, float) for a in areas)
-    layers = tuple(len(a) for a in areas)
-    require(len(areas) == 3 and min(layers) > 0, "areas must be given along X, Y and Z", layers, "layers")
+    given = [np.asarray(a, float) for a in areas]
+    counted = tuple(len(a) for a in given)
+    require(len(given) == 3 and min(counted) > 0, "areas must be given along X, Y and Z", counted, "layers")
+    layers = triple(counted)
     check_voxel_count(layers)
-    real = [_real_counts(axis, a, layers, parameters.size) for axis, a in zip(AXES, areas)]
+    real = [_real_counts(axis, a, layers, parameters.size) for axis, a in zip(AXES, given)]
     total = common_total(real, parameters.total)
     cells = math.prod(layers)
     require(total > 0, "a sample must have material: its sliced areas make", total, "voxels")
     require(total < cells, f"a sample must have voids: of {cells} cells its sliced areas fill", total)
     rounded = [np.floor(r + 0.5).astype(np.int64) for r in real]  # Eq. 6.1; Excel's Round goes up at a half
     sizes = [cells // n for n in layers]
-    counts = [
+    counts = triple(
         to_total(r, total, size, parameters.correction, Stream(parameters.seed, "voxels", "total", axis))
         for axis, r, size in zip(AXES, real, sizes)
-    ]
-    deltas = tuple(total - int(r.sum()) for r in rounded)
-    return Targets(*counts, parameters.size, tuple(origin), deltas, areas, trabeculae, sample, thickness)
+    )
+    deltas = triple(total - int(r.sum()) for r in rounded)
+    return Targets(*counts, parameters.size, triple(origin), deltas, triple(given), trabeculae, sample, thickness)
 
 
 def _real_counts(axis: str, areas: np.ndarray, layers: Tuple[int, ...], size: Tuple[float, float, float]) -> np.ndarray:
@@ -356,33 +359,5 @@ def targets_of_voxels(voxels: np.ndarray, voxel: Tuple[float, float, float] = (0
     solid = voxels.astype(bool)
     count = int(solid.sum())
     require(0 < count < solid.size, f"a sample must have material and voids: of {solid.size} cells are solid", count)
-    counts = [solid.sum(axes, dtype=np.int64) for axes in ((0, 1), (0, 2), (1, 2))]
-    return Targets(*counts, tuple(voxel), sample=solid)
-
-
-def areas_of_curve(points: Sequence[Tuple[float, float]], layers: int, thickness: float) -> np.ndarray:
-    """Return the areas of the layers, (layers,), mm², of a curve drawn through points, straight between them.
-
-    Parameters
-    ----------
-    points : sequence of (mm, mm²)
-        Co-ordinate along the axis from the first layer's low side, and sliced area; in any order.
-    layers : int
-    thickness : float, mm
-        Of a layer.
-
-    Raises
-    ------
-    ParameterError
-        If there are no points, two lie over each other, or one is not finite.
-
-    Examples
-    --------
-    >>> areas_of_curve([(0, 10), (4, 30)], 4, 1.0).tolist()
-    [12.5, 17.5, 22.5, 27.5]
-    """
-    curve = np.array(sorted(points), float).reshape(-1, 2)
-    require(len(curve) > 0, "a curve must have at least one point", len(curve))
-    require(bool(np.isfinite(curve).all()), "a curve's points must be finite", curve.tolist())
-    require(bool((np.diff(curve[:, 0]) > 0).all()), "a curve's points must differ along the axis", curve[:, 0].tolist())
-    return np.interp((np.arange(layers) + 0.5) * thickness, curve[:, 0], curve[:, 1])
+    counts = triple(solid.sum(axes, dtype=np.int64) for axes in ((0, 1), (0, 2), (1, 2)))
+    return Targets(*counts, triple(voxel), sample=solid)

@@ -104,7 +104,8 @@ def _amplitudes(texture: Texture, waves: list, stream: Stream) -> np.ndarray:
     z, y, x = np.meshgrid(*[(n + (1 << 20)).astype(np.uint64) for n in numbers], indexing="ij", sparse=True)
     names = ((z << np.uint64(42)) | (y << np.uint64(21)) | x).reshape(-1)
     words = mix(names, stream.integers(2)).T
-    parts = sum((words >> np.uint64(16 * i)) & np.uint64(0xFFFF) for i in range(4)).astype(np.float64)
+    words_of_16 = [(words >> np.uint64(16 * i)) & np.uint64(0xFFFF) for i in range(4)]
+    parts = np.sum(words_of_16, 0).astype(np.float64)
     normal = (parts - 2.0 * 65535.0) / math.sqrt((65536.0**2 - 1.0) / 3.0)
     return np.rint(normal.reshape((2, *strength.shape)) * (strength * _DEVIATION))
 

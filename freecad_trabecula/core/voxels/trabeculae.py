@@ -9,12 +9,13 @@ groups of solid are joined if their parts differ; a voxel between two groups of 
 
 from __future__ import annotations
 
-from typing import List, Optional, Sequence, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
 from ...errors import ParameterError
 from ..labelling import scipy_ndimage
+from ..triples import triple
 from .connectivity import EDGES, FACES, Solid, planar_groups
 from .exact_moves import ExactMoves
 from .targets import Targets
@@ -34,7 +35,7 @@ def trabecula_counts(voxels: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.nda
     ----------
     voxels : ndarray of shape (P, M, N), bool
     """
-    return tuple(_counts_along(voxels, axis) for axis in (2, 1, 0))
+    return triple(_counts_along(voxels, axis) for axis in (2, 1, 0))
 
 
 def wanted_trabeculae(targets: Targets, axes: str) -> List[Optional[np.ndarray]]:
@@ -149,8 +150,8 @@ def match_trabeculae(moves: ExactMoves, wanted: Sequence[Optional[np.ndarray]]) 
     best = None
     for number in range(_ROUNDS):
         voxels = solid.voxels
-        short = [None if wanted[a] is None else wanted[a] - _counts_along(voxels, a) for a in range(3)]
-        error = sum(float((short[a] ** 2).sum()) for a in axes)
+        short = {a: goal - _counts_along(voxels, a) for a, goal in enumerate(wanted) if goal is not None}
+        error = sum(float((own**2).sum()) for own in short.values())
         if error == 0 or (best is not None and error > best - 1e-3):
             break
         best = error
@@ -164,7 +165,7 @@ def match_trabeculae(moves: ExactMoves, wanted: Sequence[Optional[np.ndarray]]) 
     return [float("nan") if w is None else mean_deviation(_counts_along(voxels, a), w) for a, w in enumerate(wanted)]
 
 
-def _chosen(moves: ExactMoves, near: np.ndarray, short: Sequence[np.ndarray], axes: Tuple[int, ...]) -> np.ndarray:
+def _chosen(moves: ExactMoves, near: np.ndarray, short: Mapping[int, np.ndarray], axes: Tuple[int, ...]) -> np.ndarray:
     """Return flips, of voxels (C,), that may go together and bring the numbers nearer to what is wanted."""
     solid = moves.solid
     code = solid.codes(near)

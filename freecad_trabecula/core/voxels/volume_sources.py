@@ -12,6 +12,7 @@ import numpy as np
 
 from ...errors import ExportError, ParameterError
 from ..progress import Progress, silent
+from ..triples import triple
 from .image_stacks import read_stack
 from .parameters import VoxelParameters
 from .targets import Targets, targets_of_voxels
@@ -52,7 +53,7 @@ def targets_of_volume(
     targets = targets_of_voxels(solid, volume.voxel)
     asked = trabecula_counts(solid) if parameters.trabeculae != "off" else None
     return replace(
-        targets, origin=tuple(volume.origin), trabeculae=asked, thickness=block_thickness(solid, volume.voxel)
+        targets, origin=triple(volume.origin), trabeculae=asked, thickness=block_thickness(solid, volume.voxel)
     )
 
 

@@ -10,7 +10,6 @@ from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
 from freecad_trabecula.core.voxels.targets import (
     Targets,
-    areas_of_curve,
     common_total,
     layer_counts_of_box,
     targets_from_areas,
@@ -99,10 +98,6 @@ def test_layers_count_when_their_middles_lie_in_the_sample():
     assert layer_counts_of_box((1.0, 1.0, 1.2), (0.5, 0.25, 0.1)) == (2, 4, 12)
 
 
-def test_a_straight_line_drawn_through_two_points_gives_a_straight_profile():
-    assert areas_of_curve([(10, 20), (0, 0)], 5, 2.0) == pytest.approx([2, 6, 10, 14, 18])
-
-
 # ------------------------------------------------------------------------------------------------------- refusals
 
 
@@ -163,11 +158,6 @@ def test_a_voxel_larger_than_the_sample_is_refused():
 def test_voxels_so_small_that_there_are_too_many_are_refused():
     with pytest.raises(ParameterError, match="GB of memory"):
         layer_counts_of_box((10.0, 10.0, 10.0), (0.001, 0.01, 0.01))
-
-
-def test_a_curve_with_two_points_over_each_other_is_refused():
-    with pytest.raises(ParameterError, match="points must differ along the axis"):
-        areas_of_curve([(1, 2), (1, 3)], 4, 1.0)
 
 
 def test_a_sample_of_another_shape_is_refused():
