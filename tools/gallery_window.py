@@ -49,6 +49,7 @@ def open_preset(name):
     from freecad_trabecula.gui import panels
 
     FreeCADGui.runCommand("Trabecula_Preset_" + name)
+    wait(FreeCADGui.Control.activeDialog, 30)
     panel = panels.current()
     wait(lambda: panel._drawn is not None and "≈" in panel.outcome.headline.text(), 300)
     wait(seconds=1.0)

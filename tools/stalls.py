@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""For how long the window does not answer while long work is done and shown: ``python3 tools/stalls.py``.
+"""For how long the window does not answer while long work is done and shown.
+
+    python3 tools/stalls.py                    measures with this machine's FreeCAD and prints a table
+    sh tools/newest_freecad.sh run /usr/bin/python3 tools/stalls.py    with the newest
+    python3 tools/stalls.py --docs             writes the table of docs/seeing.md from what has been measured
 
 A window of its own under Xvfb for each kind of work, from the click until the result is seen. Beats 5 ms apart tell the
 longest stretch between two turns of the event loop: by the clock, and in processor time of the window's thread, which
 other work on the machine does not lengthen. The last column names what the thread did in the busiest stretch: the
 innermost line of ours and the innermost of all, as a second thread saw them. ``--only voxels report`` chooses works,
-``--pictures`` leaves one of the screen after each step. The figures stand in docs/seeing.md.
+``--pictures`` leaves one of the screen after each step. What is found stays in build/stalls/<version of FreeCAD>.
 """
 
 import argparse
@@ -15,12 +19,17 @@ import shutil
 import sys
 from pathlib import Path
 
+import generated_page
+
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests"))
 
 import run as tests  # noqa: E402  the folder comes first
 
-WORKS = ("rods", "femur", "analysis", "voxels", "colours", "report", "seeds", "preview", "documents", "examples")
+WORKS = (
+    *("alone", "rods", "femur", "preview", "analysis", "voxels", "colours", "report", "seeds", "documents"),
+    "examples",
+)
 GOAL = 0.2  # s
 TIMEOUT = 1200  # s a work
 
@@ -31,6 +40,7 @@ def read_arguments():
     parser.add_argument("--only", nargs="*", choices=WORKS, default=list(WORKS), help="works (default: all)")
     parser.add_argument("--out", default="build/stalls", help="folder of the logs (default: %(default)s)")
     parser.add_argument("--pictures", action="store_true", help="leave a picture of each step there")
+    parser.add_argument("--docs", action="store_true", help="measure nothing, write docs/seeing.md")
     return parser.parse_args()
 
 
@@ -52,12 +62,12 @@ def measured(work, folder, facts, pictures):
     return json.loads(found.read_text(encoding="utf-8")), good
 
 
-def main():
+def measure(choices, out):
     """Measure and print a table; return the exit code: 1 if a work failed."""
-    choices = read_arguments()
-    folder = (ROOT / choices.out).resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    facts = tests.freecad_facts(folder)
+    out.mkdir(parents=True, exist_ok=True)
+    facts = tests.freecad_facts(out)
+    folder = out / facts["freecad"]
+    folder.mkdir(exist_ok=True)
     print("FreeCAD %s\n" % facts["freecad"], flush=True)
     print("| work | step | longest, s | busy, s | over %.1f s | where |\n|---|---|---|---|---|---|" % GOAL, flush=True)
     good = True
@@ -69,6 +79,43 @@ def main():
             words = (work, row["step"], "%.2f" % row["wall"], "%.2f" % row["busy"], over, row["where"])
             print("| %s |" % " | ".join(words), flush=True)
     return 0 if good else 1
+
+
+def versions(out):
+    """Return the folders of what has been measured, the oldest FreeCAD first."""
+    found = [path for path in out.iterdir() if path.is_dir() and any(path.glob("*.json"))] if out.is_dir() else []
+    return sorted(found, key=lambda path: [int(part) for part in path.name.split(".")])
+
+
+def table(folders):
+    """Return the table of docs/seeing.md: a row for each step, two columns for each FreeCAD; bold above the goal."""
+    lines = ["| work | %s |" % " | ".join("FreeCAD %s: busy, s | by the clock" % folder.name for folder in folders)]
+    lines.append("|---|" + "---|---|" * len(folders))
+    for work in WORKS:
+        found = [folder / (work + ".json") for folder in folders]
+        rows = [json.loads(path.read_text(encoding="utf-8")) if path.exists() else [] for path in found]
+        for number in range(max(map(len, rows))):
+            steps = [one[number] if number < len(one) else None for one in rows]
+            cells = [next(step["step"] for step in steps if step is not None)]
+            for step in steps:
+                busy = "" if step is None else "%.2f" % step["busy"]
+                cells.append("**%s**" % busy if step is not None and step["busy"] > GOAL else busy)
+                cells.append("" if step is None else "%.2f" % step["wall"])
+            lines.append("| %s |" % " | ".join(cells))
+    return "\n".join(lines)
+
+
+def main():
+    """Do what was asked for; return the exit code."""
+    choices = read_arguments()
+    out = (ROOT / choices.out).resolve()
+    if not choices.docs:
+        return measure(choices, out)
+    folders = versions(out)
+    if not folders:
+        raise SystemExit("%s must hold what was measured, got nothing: run this without --docs first" % out)
+    generated_page.write_part("seeing.md", "stalls", table(folders))
+    return 0
 
 
 if __name__ == "__main__":

@@ -5,108 +5,20 @@ import json
 import os
 import sys
 import tempfile
-import threading
-import time
 import traceback
-from collections import Counter
-from contextlib import contextmanager
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
+import Mesh
 import numpy as np
 from PySide import QtCore, QtGui
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "gui")]
-CHOICE = json.loads(os.environ["TRABECULA_STALLS"])
-GOAL = 0.2  # s
+sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "gui"), str(ROOT / "tools")]
 
-from window import Heartbeat, wait  # noqa: E402  the folder comes first
-
-
-class Watched(Heartbeat):
-    """A heartbeat that says what the thread did in the busiest stretch."""
-
-    def __init__(self):
-        super().__init__()
-        self.where = ""
-        self._seen, self._ends = [], False
-        self._main = threading.get_ident()
-        self._watcher = threading.Thread(target=self._watch, daemon=True)
-
-    def _watch(self):
-        while not self._ends:
-            frame = sys._current_frames().get(self._main)
-            if frame is not None:
-                self._seen.append(place(frame))
-            time.sleep(0.01)
-
-    def _beat(self):
-        before, seen, start = self.busiest, self._seen, self._last_busy
-        self._seen = []
-        super()._beat()
-        counts = Counter(seen).most_common(8)
-        if self.busiest > before and counts:
-            self.where = counts[0][0]
-        if self._last_busy - start > GOAL / 2:
-            told = "; ".join(f"{count} {words}" for words, count in counts)
-            print(f"    {self._last_busy - start:.2f} s: {told}", file=sys.__stdout__, flush=True)
-
-    def __enter__(self):
-        self._watcher.start()
-        return super().__enter__()
-
-    def __exit__(self, *_):
-        super().__exit__()
-        self._ends = True
-        self._watcher.join()
-
-
-def place(frame):
-    """Return the innermost line of ours of a stack, and the innermost of all."""
-    lines = []
-    while frame is not None:
-        file = Path(frame.f_code.co_filename)
-        is_ours = "freecad_trabecula" in file.parts
-        if not lines or is_ours:
-            lines.append(f"{file.stem}.{frame.f_code.co_name}:{frame.f_lineno}")
-        if is_ours:
-            break
-        frame = frame.f_back
-    return " < ".join(dict.fromkeys(lines))
-
-
-class Steps:
-    """What has been measured, step by step."""
-
-    def __init__(self):
-        self.rows = []
-
-    @contextmanager
-    def step(self, name):
-        """Measure one step, from the click until what comes of it has been seen for a second."""
-        wait(seconds=0.5)
-        with Watched() as beats:
-            yield
-            wait(seconds=1.0)
-        self.rows.append({"step": name, "wall": beats.longest, "busy": beats.busiest, "where": beats.where})
-        Path(CHOICE["result"]).write_text(json.dumps(self.rows), encoding="utf-8")
-        if CHOICE["pictures"]:
-            file = f"{CHOICE['work']}-{len(self.rows)}.png"
-            QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(str(Path(CHOICE["pictures"]) / file))
-
-
-def until(condition, seconds=600):
-    """Run the event loop until a condition holds.
-
-    Raises
-    ------
-    SystemExit
-        If it does not in time.
-    """
-    if not wait(condition, seconds):
-        raise SystemExit(f"not done in {seconds} s")
+from stall_steps import Steps, until  # noqa: E402  the folders come first
+from window import wait  # noqa: E402
 
 
 def arrange():
@@ -119,6 +31,15 @@ def arrange():
 def run(command):
     """Run a command as a click on its button does."""
     FreeCADGui.runCommand(command)
+
+
+def opened(command):
+    """Run a command that opens a panel; return the panel, which comes a little later if there was no document."""
+    from freecad_trabecula.gui import panels
+
+    run(command)
+    until(FreeCADGui.Control.activeDialog, 30)
+    return panels.current()
 
 
 def select(*names):
@@ -153,8 +74,7 @@ def built(steps, preset, *kinds, seconds=900):
     from freecad_trabecula.gui import panels
 
     with steps.step(f"{preset}: preview and estimate"):
-        run("Trabecula_Preset_" + preset)
-        panel = panels.current()
+        panel = opened("Trabecula_Preset_" + preset)
         until(lambda: panel._drawn is not None and "≈" in panel.outcome.headline.text())
     for kind, box in panel.build_bar.boxes.items():
         box.setChecked(kind in kinds)
@@ -177,19 +97,24 @@ def analysed(steps, name, words):
         until(lambda: dock_of_window().view.slice is not None)
 
 
+def curves():
+    """Return the sample of the voxels: 30 % in each layer of a cube of 10 mm."""
+    from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
+
+    share = ((0.5, 0.3),)
+    return DrawnCurves((10.0, 10.0, 10.0), share, share, share)
+
+
 def voxels_made(steps):
     """Design 100^3 voxels of drawn curves in the panel."""
-    from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
-    from freecad_trabecula.gui import panels
-
-    run("Trabecula_Voxels")
-    panel, share = panels.current(), ((0.5, 0.3),)
-    panel.fields.take_curves(DrawnCurves((10.0, 10.0, 10.0), share, share, share))
+    panel = opened("Trabecula_Voxels")
+    panel.fields.take_curves(curves())
     for edge in panel.fields.edges:
         edge.set_value(0.1)
     with steps.step("100^3 voxels, designed and shown"):
         panel.work()
         until(lambda: panel._work is None and panel.obj is not None)
+        until(lambda: panel.obj.ViewObject.Proxy.blocks.is_whole)
     obj = panel.obj
     print(f"{obj.Voxels} voxels, {obj.Mesh.CountFacets} triangles", file=sys.__stdout__)
     panel.reject()
@@ -197,6 +122,64 @@ def voxels_made(steps):
 
 
 # --------------------------------------------------------------------------------------------------------- the works
+
+
+def bodies_of_ours():
+    """Return meshes and shapes of what ``documents`` makes: case 6 with its rods and scaffold, 100^3 voxels."""
+    from freecad_trabecula import make
+    from freecad_trabecula.core.presets import preset
+    from freecad_trabecula.core.voxels.parameters import VoxelParameters
+
+    document = FreeCAD.newDocument("Ours")
+    wireframe = make.make_design(document, preset("case6")).wireframe
+    make.make_network(wireframe)
+    make.make_scaffold(wireframe)
+    make.make_voxel_design(document, curves(), VoxelParameters(size=(0.1, 0.1, 0.1)))
+    meshes = [obj.Mesh.copy() for obj in document.Objects if hasattr(obj, "Mesh")]
+    shapes = [obj.Shape.copy() for obj in document.Objects if hasattr(obj, "Shape")]
+    FreeCAD.closeDocument(document.Name)
+    return sorted(meshes, key=lambda mesh: mesh.CountFacets), shapes
+
+
+class EmptyPanel:
+    """A task panel with a word in it."""
+
+    def __init__(self):
+        self.form = QtGui.QLabel("Nothing")
+
+
+def alone(steps):
+    """FreeCAD without us: a document, a task panel, bodies like ours as plain objects, shown, saved and opened."""
+    meshes, shapes = bodies_of_ours()
+    with steps.step("FreeCAD alone: a new document"):
+        document = FreeCAD.newDocument("Plain")
+    with steps.step("FreeCAD alone: a task panel with one word"):
+        FreeCADGui.Control.showDialog(EmptyPanel())
+    FreeCADGui.Control.closeDialog()
+    fit()
+    with steps.step(f"FreeCAD alone: mesh of {meshes[-1].CountFacets} triangles taken and drawn"):
+        document.addObject("Mesh::Feature", "Mesh").Mesh = meshes[-1]
+        fit()
+    with steps.step("FreeCAD alone: the same drawn again"):
+        FreeCADGui.activeDocument().activeView().redraw()
+    file = os.path.join(tempfile.mkdtemp(), "mesh.bms")
+    with steps.step("FreeCAD alone: the same written into a binary file"):
+        meshes[-1].write(file)
+    with steps.step("FreeCAD alone: the same read from it"):
+        Mesh.Mesh().read(file)
+    with steps.step("FreeCAD alone: the same selected, its edges counted for the property editor"):
+        select("Mesh")
+    for mesh in meshes[:-1]:
+        document.addObject("Mesh::Feature", "Mesh").Mesh = mesh
+    for shape in shapes:
+        document.addObject("Part::Feature", "Shape").Shape = shape
+    wait(seconds=3.0)
+    path = os.path.join(tempfile.mkdtemp(), "plain.FCStd")
+    with steps.step("FreeCAD alone: document of bodies like ours saved"):
+        document.saveAs(path)
+    FreeCAD.closeDocument(document.Name)
+    with steps.step("FreeCAD alone: the same opened"):
+        FreeCAD.openDocument(path)
 
 
 def rods(steps):
@@ -232,7 +215,6 @@ def femur(steps):
 def analysis(steps):
     """A large mesh: analysed, with morphometry, compared, another axis, saved."""
     from freecad_trabecula.core.analysis.parameters import SliceParameters
-    from freecad_trabecula.gui import panels
     from freecad_trabecula.gui.analysis_dock import dock_of_window
 
     document = FreeCAD.newDocument("Large")
@@ -245,8 +227,7 @@ def analysis(steps):
             dock.tabs.setCurrentIndex(number)
     dock.tabs.setCurrentIndex(0)
     select(body.Name)
-    run("Trabecula_Analysis")
-    panel = panels.current()
+    panel = opened("Trabecula_Analysis")
     panel.fields.set_value(SliceParameters(thickness=0.05), True)
     with steps.step("analysis with morphometry, 3 x 240 slices"):
         panel.work()
@@ -336,10 +317,7 @@ def seeds(steps):
 
 def preview(steps):
     """Values changed in the design panel, one by one and dragged."""
-    from freecad_trabecula.gui import panels
-
-    run("Trabecula_Preset_case6")
-    panel = panels.current()
+    panel = opened("Trabecula_Preset_case6")
     until(lambda: panel._drawn is not None and "≈" in panel.outcome.headline.text())
     size = panel.fields.pores.fields["size"]
     with steps.step("case6: size changed"):
@@ -394,7 +372,8 @@ def main():
     text = ""
     try:
         arrange()
-        globals()[CHOICE["work"]](Steps())
+        choice = json.loads(os.environ["TRABECULA_STALLS"])
+        globals()[choice["work"]](Steps(choice["work"], choice["result"], choice["pictures"]))
     except BaseException:
         text = traceback.format_exc()
     print(text, file=sys.__stdout__, flush=True)

@@ -90,6 +90,39 @@ def colouring_work(obj: Any, by: str) -> Callable[[], Colouring]:
     return _layers_work(obj, by)
 
 
+def axis_of(by: str) -> int:
+    """Return the axis, 0, 1, 2, of one of ``LAYER_COLOURINGS``.
+
+    Examples
+    --------
+    >>> axis_of("porosity along z")
+    2
+    """
+    return AXES.index(by[-1])
+
+
+def layers_work(obj: Any, by: str) -> Callable[[], Colouring]:
+    """Return what is left to compute for the colours of a voxel design's layers, (S, 3): for another thread.
+
+    Parameters
+    ----------
+    obj : document object
+    by : str
+        One of ``LAYER_COLOURINGS``.
+
+    Raises
+    ------
+    ParameterError
+        If there is no design yet.
+    """
+    layers = partial(_voxel_layers, voxel_design_of(obj), by.split()[0], axis_of(by))
+    return lambda: by_value(layers()[1], by, _unit(by))
+
+
+def _unit(by: str) -> str:
+    return "%" if by in _POROSITY else ""
+
+
 def _of_rods(wireframe: CoreWireframe, rods: np.ndarray, by: str) -> Colouring:
     return rod_colouring(wireframe, by).of(rods)
 
@@ -126,13 +159,12 @@ def _network_rods(obj: Any) -> Tuple[CoreWireframe, np.ndarray]:
 
 
 def _layers_work(obj: Any, by: str) -> Callable[[], Colouring]:
-    quantity, _, axis = by.partition(" along ")
-    place = AXES.index(axis)
+    place = axis_of(by)
     is_voxels = is_a(obj, VoxelDesign)
     if is_voxels:
-        layers = partial(_voxel_layers, voxel_design_of(obj), quantity, place)
+        layers = partial(_voxel_layers, voxel_design_of(obj), by.split()[0], place)
     else:
-        found = _analysed_slices(obj, axis)
+        found = _analysed_slices(obj, AXES[place])
         layers = lambda: found  # noqa: E731  at hand already
     mesh = obj.Mesh
     if is_voxels and not mesh.Placement.isIdentity():  # wherever the design was moved, its layers went with it
@@ -149,7 +181,7 @@ def _of_layers(mesh: CoreMesh, layers: Callable[[], Tuple[np.ndarray, np.ndarray
     normals = across[:, place] / np.maximum(np.linalg.norm(across, axis=1), 1e-30)
     middles = corners[:, :, place].mean(1) - _INWARDS * (edges[1] - edges[0]) * normals
     numbers = np.clip(np.searchsorted(edges, middles, "right") - 1, 0, len(values) - 1)
-    return by_value(values, by, "%" if by in _POROSITY else "").of(numbers)
+    return by_value(values, by, _unit(by)).of(numbers)
 
 
 def _voxel_layers(design: CoreVoxels, quantity: str, place: int) -> Tuple[np.ndarray, np.ndarray]:

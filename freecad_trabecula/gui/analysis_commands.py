@@ -15,7 +15,7 @@ from .analysis_dock import dock_of_window, show_analyses
 from .analysis_form import ask_mesh_file, is_sliceable
 from .analysis_saving import ask_and_save
 from .background import is_busy
-from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
+from .command import Command, PanelCommand, in_document, objects_of, selected_objects
 
 translate = FreeCAD.Qt.translate
 KIND = "Trabecula::Analysis"
@@ -30,9 +30,10 @@ class AnalyseSlices(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        document, chosen = document_or_new(), selected_objects()
+        chosen = selected_objects()
         analysis = next((obj for obj in chosen if type_of(obj) == KIND), None)
-        panels.open_analysis(document, analysis, next((obj for obj in chosen if is_sliceable(obj)), None))
+        source = next((obj for obj in chosen if is_sliceable(obj)), None)
+        in_document(lambda document: panels.open_analysis(document, analysis, source))
 
 
 class MeasureFile(PanelCommand):
@@ -46,7 +47,7 @@ class MeasureFile(PanelCommand):
         """Ask for the file and open the panel."""
         path = ask_mesh_file()
         if path:
-            panels.open_analysis_of_file(document_or_new(), path)
+            in_document(lambda document: panels.open_analysis_of_file(document, path))
 
 
 class AnalyseNow(Command):

@@ -78,15 +78,15 @@ def in_turns(steps: Iterator[Any], turn: float = TURN) -> None:
 
 
 def filled_in_pieces(field: Any, values: np.ndarray) -> Iterator[None]:
-    """Put an array (N, ...) into a multiple-value field of a scene's node, piece by piece; it is told of the last.
+    """Put an array (N,) or (N, 3) into a field of a scene's node, piece by piece; it is told of the last.
 
-    Lists: numbers of an array are converted one by one by pivy, which takes six times as long.
+    Points are taken by pivy as arrays of single precision, three times as fast as lists; whole numbers as lists only.
     """
     field.enableNotify(False)
     field.setNum(len(values))
     for start in range(0, len(values), _POINTS):
-        piece = values[start : start + _POINTS].tolist()
-        field.setValues(start, len(piece), piece)
+        piece = values[start : start + _POINTS]
+        field.setValues(start, len(piece), np.ascontiguousarray(piece) if piece.ndim == 2 else piece.tolist())
         yield
     field.enableNotify(True)
     field.touch()

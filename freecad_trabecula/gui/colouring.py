@@ -16,11 +16,12 @@ from pivy import coin
 
 from ..core.colours import Colouring, Legend
 from ..errors import TrabeculaError
-from ..features.colouring import PLAIN, choices, colouring_work, missing_of
+from ..features.colouring import PLAIN, axis_of, choices, colouring_work, layers_work, missing_of
 from ..features.relations import type_of
 from .aside import compute_aside, filled_in_pieces, in_turns
 from .legend import LegendOverlay, Titled
 from .lost_rods import LostRods
+from .merged_blocks import LayerColours, blocks_of, is_merged
 from .qt import invoke_later
 
 PROPERTY, _KEPT = "ColourBy", "PlainColour"
@@ -69,14 +70,18 @@ def colour(obj: Any) -> None:
     _wanted[key] = number = next(_numbers)
     try:
         if is_coloured(obj):
-            work = colouring_work(obj, getattr(view, PROPERTY))
+            by = getattr(view, PROPERTY)
+            if is_merged(view):
+                compute_aside(layers_work(obj, by), lambda found: _colour_blocks(key, number, found, axis_of(by)))
+                return
+            work = colouring_work(obj, by)
             if hasattr(obj, "Mesh") and obj.Mesh.CountFacets > LEAST_FACETS:
                 compute_aside(work, lambda colouring: in_turns(_coloured_in_pieces(key, number, colouring)))
                 return
             colouring = work()
             _put(view, colouring.colours)
             found[obj.Name] = colouring.legend
-            _take_lost(obj, missing_of(obj, getattr(view, PROPERTY)))
+            _take_lost(obj, missing_of(obj, by))
         elif was_coloured:
             _put(view, None)
     except TrabeculaError:
@@ -88,21 +93,37 @@ def colour(obj: Any) -> None:
 
 def _coloured_in_pieces(key: Tuple[str, str], number: int, colouring: Colouring) -> Iterator[None]:
     """Put the colours of many triangles into the scene; not if the object goes, or is wanted otherwise by then."""
-    document, name = key
-
-    def present() -> Any:
-        obj = FreeCAD.getDocument(document).getObject(name) if document in FreeCAD.listDocuments() else None
-        return obj if obj is not None and _wanted.get(key) == number else None
-
-    obj = present()
+    obj = _present(key, number)
     if obj is None or obj.Mesh.CountFacets != len(colouring.colours):
         return
     for _ in _triangles_in_pieces(obj.ViewObject, colouring.colours):
         yield
-        if present() is None:
+        if _present(key, number) is None:
             return
-    _legends.setdefault(document, {})[name] = colouring.legend
-    show_legends(document)
+    _explain(key, number, colouring)
+
+
+def _colour_blocks(key: Tuple[str, str], number: int, colouring: Colouring, axis: int) -> None:
+    """Put the colours of a voxel design's layers into the scene."""
+    obj = _present(key, number)
+    if obj is not None and is_merged(obj.ViewObject):
+        blocks_of(obj.ViewObject).colour(
+            LayerColours(colouring.colours, axis), lambda: _explain(key, number, colouring)
+        )
+
+
+def _present(key: Tuple[str, str], number: int) -> Any:
+    """The object, if it is there and its latest colouring is this one; else None."""
+    document, name = key
+    obj = FreeCAD.getDocument(document).getObject(name) if document in FreeCAD.listDocuments() else None
+    return obj if obj is not None and _wanted.get(key) == number else None
+
+
+def _explain(key: Tuple[str, str], number: int, colouring: Colouring) -> None:
+    """Show the legend of colours that are seen now."""
+    if _present(key, number) is not None:
+        _legends.setdefault(key[0], {})[key[1]] = colouring.legend
+        show_legends(key[0])
 
 
 def refresh(obj: Any) -> None:
@@ -228,6 +249,9 @@ def _put_on_triangles(view: Any, colours: Optional[np.ndarray]) -> None:
         for _ in _triangles_in_pieces(view, colours):
             pass
         return
+    blocks = blocks_of(view)
+    if blocks is not None:
+        blocks.colour(None)
     material, binding = _looks_of_triangles(view)
     if material is not None and binding is not None:
         binding.value = coin.SoMaterialBinding.OVERALL
@@ -246,18 +270,22 @@ def _triangles_in_pieces(view: Any, colours: np.ndarray) -> Iterator[None]:
 
 
 def _looks_of_triangles(view: Any) -> Tuple[Any, Any]:
-    return _first(view.RootNode, coin.SoMaterial), _first(view.RootNode, coin.SoMaterialBinding)
+    """Material and its binding, which all display modes of a mesh share; merged blocks have others."""
+    blocks = blocks_of(view)
+    apart = blocks.node if blocks is not None else None
+    return _first(view.RootNode, coin.SoMaterial, apart), _first(view.RootNode, coin.SoMaterialBinding, apart)
 
 
-def _first(root: Any, kind: Any) -> Any:
-    """The first node of a kind, which all display modes of a mesh share; also where a mode is switched off."""
+def _first(root: Any, kind: Any, apart: Any) -> Any:
+    """The first node of a kind, not below another node; also where a mode is switched off."""
     search = coin.SoSearchAction()
     search.setType(kind.getClassTypeId())
-    search.setInterest(coin.SoSearchAction.FIRST)
+    search.setInterest(coin.SoSearchAction.ALL)
     search.setSearchingAll(True)
     search.apply(root)
-    path = search.getPath()
-    return path.getTail() if path is not None else None
+    paths = search.getPaths()
+    found = (paths[number] for number in range(paths.getLength()))
+    return next((path.getTail() for path in found if apart is None or not path.containsNode(apart)), None)
 
 
 def _refresh_others(document: Any) -> None:

@@ -14,7 +14,7 @@ from ..errors import ParameterError
 from ..features.jobs import write_job
 from ..features.relations import parts_of, type_of, wireframe_of
 from . import panels
-from .command import Command, PanelCommand, active_document, document_or_new, selected_objects
+from .command import Command, PanelCommand, active_document, in_document, selected_objects
 from .design_form import preset_text
 from .export_dialog import exists, export_design
 from .picking import is_solid
@@ -48,13 +48,13 @@ class DesignRods(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        document = document_or_new()
         chosen = selected_objects()
         design = next((wireframe_of(obj) for obj in chosen if type_of(obj)), None)
         if design is not None:
             panels.open_change(design)
         else:
-            panels.open_new(document, envelope=next((obj for obj in chosen if is_solid(obj)), None))
+            solid = next((obj for obj in chosen if is_solid(obj)), None)
+            in_document(lambda document: panels.open_new(document, envelope=solid))
 
 
 class LoadPreset(PanelCommand):
@@ -72,7 +72,7 @@ class LoadPreset(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        panels.open_new(document_or_new(), preset(self._preset))
+        in_document(lambda document: panels.open_new(document, preset(self._preset)))
 
 
 class Presets(PanelCommand):
@@ -236,7 +236,7 @@ class OpenJob(PanelCommand):
             FreeCADGui.getMainWindow(), translate("Trabecula", "Open job"), "", _job_files()
         )
         if path:
-            panels.open_job(document_or_new(), path)
+            in_document(lambda document: panels.open_job(document, path))
 
 
 class SaveJob(Command):

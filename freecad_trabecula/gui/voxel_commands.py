@@ -7,7 +7,7 @@ from typing import Any
 
 from ..features.relations import type_of
 from . import panels
-from .command import Command, PanelCommand, document_or_new, objects_of, selected_objects
+from .command import Command, PanelCommand, in_document, objects_of, selected_objects
 from .layer_dialog import ask_and_make
 from .propagation_dialog import watch_layer
 from .table_dialog import ask_for_tables
@@ -33,9 +33,10 @@ class DesignVoxels(PanelCommand):
 
     def run(self, index: int) -> None:
         """Open the panel."""
-        document, chosen = document_or_new(), selected_objects()
+        chosen = selected_objects()
         design = next((obj for obj in chosen if type_of(obj) == KIND), None)
-        panels.open_voxels(document, design, next((obj for obj in chosen if is_sample(obj)), None))
+        sample = next((obj for obj in chosen if is_sample(obj)), None)
+        in_document(lambda document: panels.open_voxels(document, design, sample))
 
 
 class ShowLayers(Command):

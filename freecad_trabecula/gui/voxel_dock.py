@@ -17,6 +17,7 @@ from ..core.voxels.volume_sources import VOLUMES
 from ..errors import TrabeculaError
 from ..features.relations import type_of
 from ..features.voxel_design import design_at_hand
+from .aside import compute_aside
 from .chart import Chart, Diagram
 from .fields import row_widget
 from .language import in_words
@@ -192,10 +193,17 @@ class VoxelDock(ObjectDock):
             let_grow(self.figures)
             self.why.set_keys([row.key for row in rows])
             return
-        kind = KINDS[self.tabs.currentIndex()][0]
-        self.charts[kind].show_diagram(
-            self.layers.diagram(kind, self.axis) if self.layers is not None else Diagram("", "")
-        )
+        kind, layers, diagram = KINDS[self.tabs.currentIndex()][0], self.layers, Diagram("", "")
+        if layers is not None and layers.has(kind):
+            diagram = layers.diagram(kind, self.axis)
+        elif layers is not None:
+            compute_aside(layers.count_trabeculae, lambda _: self._counted(layers))
+        self.charts[kind].show_diagram(diagram)
+
+    def _counted(self, layers: Layers) -> None:
+        """Show what has been counted, if it is still wanted."""
+        if layers is self.layers:
+            self._show_chart()
 
     def _point(self, x: float) -> None:
         """Take the layer that is nearest to the mouse."""

@@ -105,13 +105,27 @@ class Layers:
             return Diagram(across, translate("Trabecula", "sliced area, mm²"), curves)
         return Diagram(across, translate("Trabecula", "number of trabeculae"), self._trabecula_curves(axis, x))
 
-    def _trabecula_curves(self, axis: int, x: np.ndarray) -> List[Curve]:
+    def has(self, kind: str) -> bool:
+        """Return whether what a kind of diagram shows has been counted."""
+        return kind != "trabeculae" or self._trabeculae is not None
+
+    def count_trabeculae(self) -> None:
+        """Count trabeculae, once; any thread.
+
+        Raises
+        ------
+        DependencyError
+            If scipy is missing.
+        """
         if self._trabeculae is None:
             targets = self.design.targets
             wanted = targets.trabeculae
             if wanted is None and targets.sample is not None:
                 wanted = trabecula_counts(targets.sample)
             self._trabeculae = wanted, trabecula_counts(self.design.voxels)
+
+    def _trabecula_curves(self, axis: int, x: np.ndarray) -> List[Curve]:
+        self.count_trabeculae()
         wanted, counts = self._trabeculae
         curves = [Curve(translate("Trabecula", "design"), x, counts[axis], preferred_colour(DESIGN))]
         if wanted is not None:

@@ -67,7 +67,11 @@ class CommandTest(WindowTest):
 
     def test_without_a_document_a_preset_makes_one(self):
         FreeCAD.closeDocument(self.document.Name)
-        self.open_preset("case1")
+        FreeCADGui.runCommand("Trabecula_Preset_case1")
+        self.assertIsNotNone(FreeCAD.ActiveDocument)
+        self.assertFalse(FreeCADGui.Control.activeDialog())  # the document has a turn of the event loop to itself
+        self.assertTrue(wait(FreeCADGui.Control.activeDialog, 30))
+        self.wait_for_estimate(panels.current())
         self.assertEqual(len(FreeCAD.listDocuments()), 1)
 
     def test_the_design_command_opens_the_selected_design(self):

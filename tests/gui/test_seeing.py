@@ -38,6 +38,12 @@ def node_of(root, kind):
     return None
 
 
+def shown_material(view):
+    """Return the material of the display mode that a view shows, not of one that is switched off."""
+    modes = node_of(view.RootNode, coin.SoSwitch)
+    return node_of(modes.getChild(modes.whichChild.getValue()), coin.SoMaterial)
+
+
 class ColourTest(WindowTest):
     def setUp(self):
         super().setUp()
@@ -148,7 +154,7 @@ class ColourTest(WindowTest):
         analysis = make.make_analysis(self.document, bone, SliceParameters(thickness=0.5))
         self.assertEqual(command.reason(), "")
         self.run_command("Trabecula_Colour_porosity_z")
-        material = node_of(bone.ViewObject.RootNode, coin.SoMaterial)
+        material = shown_material(bone.ViewObject)
         seen = lambda: material.diffuseColor.getNum()  # noqa: E731
         self.assertEqual(seen(), bone.Mesh.CountFacets)
         (legend,) = colouring.legends_of(self.document.Name)
@@ -252,7 +258,7 @@ class LayerColourTest(WindowTest):
         settle(0.1)
         (legend,) = colouring.legends_of(self.document.Name)
         self.assertEqual(legend.legend[1:4], ("%", 0.0, 50.0))
-        material = node_of(self.design.ViewObject.RootNode, coin.SoMaterial)
+        material = shown_material(self.design.ViewObject)
         self.assertEqual(material.diffuseColor.getNum(), self.design.Mesh.CountFacets)
         for facet in self.design.Mesh.Facets:
             middle = sum(point[2] for point in facet.Points) / 3 - 0.01 * facet.Normal.z
@@ -263,13 +269,13 @@ class LayerColourTest(WindowTest):
         for by in ("trabeculae along x", "plain"):
             self.design.ViewObject.ColourBy = by
             settle(0.1)
-        material = node_of(self.design.ViewObject.RootNode, coin.SoMaterial)
+        material = shown_material(self.design.ViewObject)
         self.assertEqual(material.diffuseColor.getNum(), 1)
         colour = np.array(material.diffuseColor[0].getValue())
         self.assertLess(abs(colour - (0.93, 0.85, 0.68)).max(), 3e-3)
 
     def test_many_triangles_get_the_same_colours_piece_by_piece_while_the_window_answers(self):
-        few, material = colouring.LEAST_FACETS, node_of(self.design.ViewObject.RootNode, coin.SoMaterial)
+        few, material = colouring.LEAST_FACETS, shown_material(self.design.ViewObject)
         self.design.ViewObject.ColourBy = "trabeculae along z"
         settle(0.1)
         wanted = [material.diffuseColor[k].getValue() for k in range(material.diffuseColor.getNum())]

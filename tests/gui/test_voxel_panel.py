@@ -5,6 +5,7 @@ import os
 import tempfile
 import time
 from pathlib import Path
+from unittest.mock import patch
 
 import FreeCAD
 import FreeCADGui
@@ -14,6 +15,7 @@ from window import Heartbeat, WindowTest, settle, wait
 
 from freecad_trabecula import make
 from freecad_trabecula.core.analysis.parameters import SliceParameters
+from freecad_trabecula.core.colours import scale_colours
 from freecad_trabecula.core.stl import read_stl
 from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.drawn_curves import DrawnCurves
@@ -22,7 +24,7 @@ from freecad_trabecula.core.voxels.registry import find_strategy, strategy_names
 from freecad_trabecula.errors import ExportError, ParameterError
 from freecad_trabecula.features import results
 from freecad_trabecula.features.relations import type_of
-from freecad_trabecula.gui import panels
+from freecad_trabecula.gui import colouring, panels, view_providers
 from freecad_trabecula.gui.background import is_busy
 from freecad_trabecula.gui.layer_dialog import LayerDialog, make_shapes
 from freecad_trabecula.gui.merged_blocks import MODE
@@ -231,9 +233,9 @@ class LookTest(VoxelCase):
 class MergedBlocksTest(VoxelCase):
     def design(self, surface="blocks"):
         """About 37,000 voxels at random, whose faces are more than are drawn at once while the camera moves."""
-        thirds = ((0.5, 0.3),)
+        thirds, rising = ((0.5, 0.3),), ((0.0, 0.15), (1.0, 0.45))
         chosen = VoxelParameters(size=(0.1, 0.1, 0.1), strategy="random-layers")
-        curves = DrawnCurves((5.0, 5.0, 5.0), thirds, thirds, thirds)
+        curves = DrawnCurves((5.0, 5.0, 5.0), thirds, thirds, rising)
         obj = make.make_voxel_design(self.document, curves, chosen, surface=surface)
         view = FreeCADGui.activeDocument().activeView()
         view.viewIsometric()
@@ -282,25 +284,102 @@ class MergedBlocksTest(VoxelCase):
     def test_merged_blocks_look_like_their_mesh(self):
         obj, view = self.design()
         images = {}
-        with tempfile.TemporaryDirectory() as folder:
-            for mode in (MODE, "Shaded"):
-                obj.ViewObject.DisplayMode = mode
-                settle(1.0)
-                path = os.path.join(folder, "view.png")
-                view.saveImage(path, 120, 120, "White")
-                image = QtGui.QImage(path)
-                images[mode] = np.array(
-                    [[QtGui.QColor(image.pixel(x, y)).lightness() for x in range(120)] for y in range(120)], float
-                )
+        for mode in (MODE, "Shaded"):
+            obj.ViewObject.DisplayMode = mode
+            settle(1.0)
+            picture = _picture(view)
+            images[mode] = (picture.max(2) + picture.min(2)) / 2  # lightness
         difference = np.abs(images[MODE] - images["Shaded"])
         self.assertGreater(images["Shaded"].std(), 10)
         self.assertLess(difference.mean(), 6)
+
+    def test_a_large_mesh_is_not_counted_for_the_property_editor(self):
+        few = make.make_voxel_design(self.document, self.bracket(), HALF)
+        self.assertEqual(few.getEditorMode("Mesh"), [])
+        with patch.object(view_providers, "MOST_COUNTED", few.Mesh.CountFacets - 1):
+            many = make.make_voxel_design(self.document, self.bracket(), HALF)
+        self.assertEqual(many.getEditorMode("Mesh"), ["Hidden"])
+        make.change_voxel_design(many, VoxelParameters(size=(1.0, 1.0, 1.0)))
+        self.assertEqual(many.getEditorMode("Mesh"), [])
+
+    def colour(self, obj, by):
+        """Choose what the colours mean; wait until they are seen, or for plain ones for a moment."""
+        obj.ViewObject.ColourBy = by
+        legends = lambda: colouring.legends_of(self.document.Name)  # noqa: E731
+        self.assertTrue(wait(lambda: bool(legends()) == (by != "plain"), 60), by)
+        settle(0.5)
+
+    def test_layers_of_merged_blocks_have_their_colours_and_plain_ones_come_back_at_once(self):
+        obj, _ = self.design()
+        blocks, z = obj.ViewObject.Proxy.blocks, 2
+        plain = _shapes_of(blocks.fine)
+        with Heartbeat() as beat:
+            self.colour(obj, "porosity along z")
+        self.assertLess(beat.busiest, 0.5)
+        self.assertEqual(obj.ViewObject.DisplayMode, MODE)
+        design = make.voxel_design_of(obj)
+        porosity = 100 * (1 - design.voxels.mean((1, 2)))
+        shares = (porosity - porosity.min()) / (porosity.max() - porosity.min())
+        seen = set()
+        for one in _shapes_of(blocks.fine):
+            colour, _, shape = _shapes_of(one)
+            corners = np.array([point.getValue() for point in shape.vertexProperty.getValue().vertex.getValues()])
+            colours = np.array([each.getValue() for each in colour.rgb.getValues()])
+            self.assertEqual(len(colours), len(corners))
+            places = corners[:, z].reshape(-1, 4) / design.targets.voxel[z]
+            normal = shape.vertexProperty.getValue().normal[0].getValue()[z]
+            layers = np.floor((places.min(1) + places.max(1)) / 2 - 0.5 * normal + 1e-3).astype(int)
+            self.assertLess((places.max(1) - places.min(1)).max(), 1.001)  # no face reaches over two layers
+            wanted = np.repeat(scale_colours(shares[layers]), 4, 0) / 255
+            self.assertLess(abs(colours - wanted).max(), 1e-5)
+            seen |= set(layers.tolist())
+        self.assertEqual(seen, set(range(50)))
+        obj.ViewObject.ColourBy = "plain"
+        settle(0.2)
+        self.assertEqual([one.this for one in _shapes_of(blocks.fine)], [one.this for one in plain])
+        self.assertTrue(blocks.is_whole)
+
+    def test_coloured_blocks_look_like_their_coloured_mesh_and_are_seen_so_in_an_opened_file(self):
+        obj, view = self.design()
+        self.colour(obj, "porosity along z")
+        images = {MODE: _picture(view)}
+        obj.ViewObject.DisplayMode = "Shaded"
+        material, _ = colouring._looks_of_triangles(obj.ViewObject)
+        self.assertTrue(wait(lambda: material.diffuseColor.getNum() == obj.Mesh.CountFacets, 60))
+        settle(0.5)
+        images["Shaded"] = _picture(view)
+        obj.ViewObject.DisplayMode = MODE
+        settle(2.0)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "coloured.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            results.clear()
+            self.document = FreeCAD.openDocument(path)
+            (again,) = self.designs()
+            self.assertTrue(wait(lambda: colouring.legends_of(self.document.Name), 60))
+            settle(1.0)
+            self.assertEqual(again.ViewObject.DisplayMode, MODE)
+            images["opened"] = _picture(FreeCADGui.activeDocument().activeView())
+        for name in ("Shaded", "opened"):
+            self.assertLess(np.abs(images[MODE] - images[name]).mean(), 6, name)
+        hues = images[MODE].max(2) - images[MODE].min(2)
+        self.assertGreater((hues > 40).sum(), 500)  # not the colour of bone, and not white
 
     def test_a_smooth_surface_and_few_blocks_stay_as_they_are(self):
         obj, _ = self.design("smooth")
         self.assertEqual(obj.ViewObject.DisplayMode, "Shaded")
         few = make.make_voxel_design(self.document, self.bracket(), HALF)
         self.assertEqual(few.ViewObject.DisplayMode, "Shaded")
+
+
+def _picture(view, edge=120):
+    """Return the view as red, green and blue (edge, edge, 3)."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "view.png")
+        view.saveImage(path, edge, edge, "White")
+        image = QtGui.QImage(path)
+    return np.array([[image.pixelColor(x, y).getRgb()[:3] for x in range(edge)] for y in range(edge)], float)
 
 
 def _shapes_of(node):
@@ -331,7 +410,10 @@ class DockTest(VoxelCase):
     def test_diagrams_show_target_and_design_and_move_the_layer(self):
         for number, (kind, _) in enumerate(KINDS):
             self.dock.tabs.setCurrentIndex(number)
-            curves = self.dock.charts[kind].diagram.curves
+            chart = self.dock.charts[kind]
+            self.assertEqual(bool(chart.diagram.curves), kind != "trabeculae")
+            self.assertTrue(wait(lambda chart=chart: chart.diagram.curves, 30), kind)  # trabeculae are counted aside
+            curves = chart.diagram.curves
             self.assertEqual(len(curves), 2, kind)
             self.assertTrue(np.allclose(curves[0].y, curves[1].y), kind)  # exact; a bracket has one design only
         self.dock.charts["voxels"].pointed.emit(3.6)

@@ -126,6 +126,7 @@ class WindowTest(unittest.TestCase):
         from freecad_trabecula.gui import panels
 
         FreeCADGui.runCommand("Trabecula_Preset_" + name)
+        self.assertTrue(wait(FreeCADGui.Control.activeDialog, 30), "no panel")  # later, if there was no document
         panel = panels.current()
         self.wait_for_estimate(panel)
         return panel

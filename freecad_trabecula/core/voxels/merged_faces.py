@@ -6,7 +6,7 @@ Corners of rectangles lie on the edges of others: it is no closed mesh. What is 
 
 from __future__ import annotations
 
-from typing import NamedTuple, Tuple
+from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -26,17 +26,21 @@ class Rectangles(NamedTuple):
     counts: Tuple[int, ...]
 
 
-def merged_faces(voxels: np.ndarray) -> Rectangles:
+def merged_faces(voxels: np.ndarray, apart: Optional[int] = None) -> Rectangles:
     """Return the faces between solid and void as rectangles: runs of faces, and runs that lie side by side as one.
 
     Parameters
     ----------
     voxels : ndarray of shape (P, M, N), bool
+    apart : int or None
+        0, 1, 2: the layers along x, y or z have rectangles of their own, which can be told apart by colours.
 
     Examples
     --------
     >>> merged_faces(np.ones((2, 3, 4), bool)).counts
     (1, 1, 1, 1, 1, 1)
+    >>> merged_faces(np.ones((2, 3, 4), bool), apart=2).counts
+    (2, 2, 2, 2, 1, 1)
     >>> merged_faces(np.array([[[1, 1], [1, 0]]], bool)).counts  # an L
     (1, 2, 1, 2, 2, 2)
     """
@@ -50,7 +54,7 @@ def merged_faces(voxels: np.ndarray) -> Rectangles:
                 beyond[:-1] = layers[1:]
             else:
                 beyond[1:] = layers[:-1]
-            rows = _rectangles(layers & ~beyond)
+            rows = _rectangles(layers & ~beyond, rest.index(apart) if apart in rest else None)
             corners = np.empty((len(rows), 4, 3), np.int32)
             layer, low_row, high_row, low, high = rows.T
             corners[:, :, axis] = (layer + side)[:, None]
@@ -62,14 +66,20 @@ def merged_faces(voxels: np.ndarray) -> Rectangles:
     return Rectangles(np.concatenate(found), tuple(counts))
 
 
-def _rectangles(faces: np.ndarray) -> np.ndarray:
-    """Layer, first and last row, first and last column (ends excluded) of rectangles that cover faces, (R, 5)."""
-    along, across = _merged_runs(faces), _merged_runs(faces.transpose(0, 2, 1))
-    return along if len(along) <= len(across) else across[:, [0, 3, 4, 1, 2]]
+def _rectangles(faces: np.ndarray, apart: Optional[int]) -> np.ndarray:
+    """Layer, first and last row, first and last column (ends excluded) of rectangles that cover faces, (R, 5).
+
+    ``apart``: 0, each lies in one column; 1, each lies in one row.
+    """
+    along = _merged_runs(faces, apart is None) if apart != 0 else None
+    across = _merged_runs(faces.transpose(0, 2, 1), apart is None) if apart != 1 else None
+    if across is None or (along is not None and len(along) <= len(across)):
+        return along
+    return across[:, [0, 3, 4, 1, 2]]
 
 
-def _merged_runs(faces: np.ndarray) -> np.ndarray:
-    """The same, of runs along columns that are as long and follow each other row by row."""
+def _merged_runs(faces: np.ndarray, merges_rows: bool) -> np.ndarray:
+    """The same, of runs along columns; those that are as long and follow each other row by row as one."""
     layers, rows, columns = faces.shape
     padded = np.zeros((layers, rows, columns + 2), np.int8)
     padded[:, :, 1:-1] = faces
@@ -80,13 +90,28 @@ def _merged_runs(faces: np.ndarray) -> np.ndarray:
     layer, row, low, high = layer[order], row[order], low[order], high[order]
     first = np.ones(len(row), bool)
     same = (np.diff(layer) == 0) & (np.diff(low) == 0) & (np.diff(high) == 0)
-    first[1:] = ~(same & (np.diff(row) == 1))
+    first[1:] = ~(same & (np.diff(row) == 1) & merges_rows)
     starts = np.flatnonzero(first)
     lengths = np.diff(np.append(starts, len(row)))
     return np.stack([layer[starts], row[starts], row[starts] + lengths, low[starts], high[starts]], 1)
 
 
-def coarse_faces(voxels: np.ndarray, most: int) -> Rectangles:
+def layers_of(rectangles: Rectangles, axis: int) -> np.ndarray:
+    """Return the layer along x, y or z (0, 1, 2), (R,), that rectangles bound, or in whose middle one is.
+
+    Examples
+    --------
+    >>> layers_of(merged_faces(np.ones((2, 1, 1), bool), apart=2), 2).tolist()  # -X, +X, -Y, +Y, -Z, +Z
+    [0, 1, 0, 1, 0, 1, 0, 1, 0, 1]
+    """
+    places = rectangles.corners[:, :, axis]
+    inwards = np.zeros(6)
+    inwards[2 * axis : 2 * axis + 2] = 0.5, -0.5
+    middles = (places.min(1) + places.max(1)) / 2 + np.repeat(inwards, rectangles.counts)
+    return np.floor(middles).astype(np.int64)
+
+
+def coarse_faces(voxels: np.ndarray, most: int, apart: Optional[int] = None) -> Rectangles:
     """Return the faces of coarser blocks, of 2, 3 ... voxels' edge, that take no more than so many rectangles.
 
     A coarse block is solid where at least half of its cells are. Corners are in voxels, none outside the box.
@@ -95,13 +120,15 @@ def coarse_faces(voxels: np.ndarray, most: int) -> Rectangles:
     ----------
     voxels : ndarray of shape (P, M, N), bool
     most : int
+    apart : int or None
+        As ``merged_faces``, of layers of coarser blocks.
     """
     box = np.array(voxels.shape[::-1], np.int32)
     for size in range(2, int(box.max()) + 2):
         padded = np.pad(voxels, [(0, -count % size) for count in voxels.shape])
         p, m, n = (count // size for count in padded.shape)
         share = padded.reshape(p, size, m, size, n, size).mean((1, 3, 5), dtype=np.float32)
-        found = merged_faces(share >= 0.5)
+        found = merged_faces(share >= 0.5, apart)
         if len(found.corners) <= most:
             break
     return Rectangles(np.minimum(found.corners * size, box), found.counts)

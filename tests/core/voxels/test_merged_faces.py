@@ -8,7 +8,7 @@ import pytest
 
 from freecad_trabecula.core.streams import Stream
 from freecad_trabecula.core.voxels.blocks import block_mesh
-from freecad_trabecula.core.voxels.merged_faces import coarse_faces, merged_faces, sampled_faces
+from freecad_trabecula.core.voxels.merged_faces import coarse_faces, layers_of, merged_faces, sampled_faces
 
 STEPS = ((0, 0, -1), (0, 0, 1), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0))  # z, y, x of -X, +X, -Y ...
 
@@ -23,11 +23,12 @@ def outside(voxels, step):
     return found
 
 
+@pytest.mark.parametrize("apart", (None, 0, 1, 2))
 @pytest.mark.parametrize("seed", range(8))
-def test_every_face_is_covered_once_by_a_rectangle_that_looks_outwards(seed):
+def test_every_face_is_covered_once_by_a_rectangle_that_looks_outwards(seed, apart):
     shape = (4, 5, 6)
     voxels = Stream(seed, "bits").many(120).reshape(shape) < 0.2 + 0.1 * seed
-    rectangles = merged_faces(voxels)
+    rectangles = merged_faces(voxels, apart)
     place = 0
     for way, count in enumerate(rectangles.counts):
         axis, side = way // 2, way % 2
@@ -39,7 +40,9 @@ def test_every_face_is_covered_once_by_a_rectangle_that_looks_outwards(seed):
             assert np.sign(normal[axis]) == (1 if side else -1)
             spans = [[int(low[k]) - side] if k == axis else range(low[k], high[k]) for k in range(3)]
             covered += [(x, y, z) for x in spans[0] for y in spans[1] for z in spans[2]]
-        place += count
+            if apart is not None:
+                assert [layers_of(rectangles, apart)[place]] == list(spans[apart])
+            place += 1
         assert len(covered) == len(set(covered))
         assert set(covered) == outside(voxels, STEPS[way])
     assert place == len(rectangles.corners)
