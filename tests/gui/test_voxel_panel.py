@@ -10,6 +10,7 @@ from unittest.mock import patch
 import FreeCAD
 import FreeCADGui
 import numpy as np
+from pivy import coin
 from PySide import QtGui
 from window import Heartbeat, WindowTest, settle, wait
 
@@ -344,12 +345,12 @@ class MergedBlocksTest(VoxelCase):
         self.colour(obj, "porosity along z")
         images = {MODE: _picture(view)}
         obj.ViewObject.DisplayMode = "Shaded"
-        material, _ = colouring._looks_of_triangles(obj.ViewObject)
-        self.assertTrue(wait(lambda: material.diffuseColor.getNum() == obj.Mesh.CountFacets, 60))
+        _, binding = colouring._looks_of_triangles(obj.ViewObject)
+        self.assertTrue(wait(lambda: binding.value.getValue() == coin.SoMaterialBinding.PER_FACE, 60))
         settle(0.5)
         images["Shaded"] = _picture(view)
         obj.ViewObject.DisplayMode = MODE
-        settle(2.0)
+        self.colour(obj, "porosity along z")
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "coloured.FCStd")
             self.document.saveAs(path)
