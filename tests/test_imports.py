@@ -60,7 +60,7 @@ LAYERS = (
         "gui",
         ("gui.*",),
         (
-            *("stdlib", "numpy", "FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "pivy"),
+            *("stdlib", "numpy", "FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "MeshGui", "PySide", "pivy"),
             *(".errors", ".core", ".geometry", ".features", ".make", ".shell", ".gui", ".bare"),
         ),
         (),
