@@ -13,8 +13,15 @@ def _attach_view(obj):
     view_providers.attach(obj)
 
 
+def _in_words(text):
+    from freecad_trabecula.gui import language
+
+    return language.in_words(text)
+
+
 # Objects made without a window get their view provider when they are opened in one.
 views.attach_views_with(_attach_view)
+views.say_with(_in_words)
 
 
 class TrabeculaWorkbench(FreeCADGui.Workbench):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who gives an object its view provider: the window says so at its start, so that documents need not know the window.
+"""What the window gives to objects of documents, which need not know it: view providers, words in its language.
 
 InitGui.py imports this module whenever FreeCAD's window starts; it imports nothing but the standard library.
 """
@@ -9,11 +9,24 @@ from __future__ import annotations
 from typing import Any, Callable, List
 
 _attachers: List[Callable[[Any], None]] = []
+_words: List[Callable[[str], str]] = []
 
 
 def attach_views_with(attach: Callable[[Any], None]) -> None:
     """Have ``attach(obj)`` called for objects that have no view provider; without a window nobody is."""
     _attachers[:] = [attach]
+
+
+def say_with(words: Callable[[str], str]) -> None:
+    """Have what objects write to the report view said by ``words(text)``; without a window it is English."""
+    _words[:] = [words]
+
+
+def in_words(text: str) -> str:
+    """Return what an object says in the language of the window, if there is one."""
+    for words in _words:
+        return words(text)
+    return text
 
 
 def attach_view(obj: Any) -> None:

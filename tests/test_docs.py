@@ -2,6 +2,7 @@
 """The pages: every link and picture is there, every page can be reached, every command has one, names in them exist."""
 
 import ast
+import fnmatch
 import re
 import shlex
 import xml.etree.ElementTree as ElementTree
@@ -80,6 +81,44 @@ def test_every_page_can_be_reached_from_the_table_of_contents():
 def test_every_picture_is_shown_by_a_page():
     shown = {(page.parent / target).resolve() for page in PAGES for is_picture, target in links_of(page) if is_picture}
     assert [named(path) for path in sorted((DOCS / "pictures").iterdir()) if path not in shown] == []
+
+
+def makers_of_pictures():
+    """Return the table of docs/README.md: (pattern, command) of each kind of picture."""
+    text = (DOCS / "README.md").read_text(encoding="utf-8").partition("## The pictures")[2].partition("\n## ")[0]
+    rows = [line.strip("| ").split(" | ") for line in text.splitlines() if line.startswith("| `")]
+    return [(pattern, made) for names, made in rows for pattern in re.findall(r"`([^`]+)`", names)]
+
+
+def tool_of(command):
+    """Return the file that the first command of a row starts: ``make gallery`` is tools/gallery.py."""
+    first = re.search(r"`([^`]+)`", command)[1].split()
+    return ROOT / (first[1] if first[0] == "python3" else f"tools/{first[1]}.py")
+
+
+def test_every_picture_is_made_by_one_command_that_names_it():
+    rows = makers_of_pictures()
+    pictures = sorted(path.stem for path in (DOCS / "pictures").iterdir())
+    makers = {name: [made for pattern, made in rows if fnmatch.fnmatchcase(name, pattern)] for name in pictures}
+    assert {name: found for name, found in makers.items() if len(found) != 1} == {}
+    assert [pattern for pattern, _ in rows if not fnmatch.filter(pictures, pattern)] == []
+    source = {made: tool_of(made).read_text(encoding="utf-8") for _, made in rows}
+    walked = re.compile(r"tour-(rods|measure|voxels)-")  # named by their doors and steps
+    unnamed = [
+        name
+        for name, found in makers.items()
+        if not (f'"{name}' in source[found[0]] or (walked.match(name) and 'f"tour-{door}-' in source[found[0]]))
+    ]
+    assert unnamed == []
+
+
+def test_every_picture_of_the_gallery_is_taken_by_a_part_that_its_row_names():
+    window = (ROOT / "tools" / "gallery_window.py").read_text(encoding="utf-8")
+    parts = dict(re.findall(r"(\w+)=take_(\w+)", window), panels="panels", analysis="analysis", voxels="voxels")
+    for _, made in makers_of_pictures():
+        if "make gallery" in made:
+            for part in re.search(r"--only ([\w ]+)", made)[1].split():
+                assert part in parts or part in ("case6", "cranial"), made
 
 
 def command_names():

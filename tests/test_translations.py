@@ -32,7 +32,9 @@ SHOWS = {
     **dict.fromkeys(("Figure", "Checked", "Row", "Diagram", "PanelForm"), (0, 1)),
     **dict.fromkeys(("SwitchField", "WholeField", "TextField", "PointField", "ChoiceField", "NumberField"), None),
     **dict.fromkeys(("addItem", "addItems", "addRow", "addTab", "insertTab", "setTabText"), None),
-    "transaction": (1,),
+    **dict.fromkeys(("transaction", "write_step"), (1,)),
+    **dict.fromkeys(("openTransaction", "_do"), (0,)),
+    **dict.fromkeys(("PrintMessage", "PrintWarning", "PrintError"), None),
     "small_button": (1, 3),
     "drawText": None,
 }
@@ -41,7 +43,7 @@ TRANSLATES = ("translate", "in_words", "description", "choice", "filled", "icon"
 TRANSLATES += ("local_number", "place_text", "with_decimals", "offer_words", "_text")
 #: What is the same in every language: units, axes, tags of rich text, names of programs and of FreeCAD's icons.
 PLAIN = re.compile(
-    r"</?\w+[^>]*>?|^Trabecula_\w+$|\b(mm|GB|MB|kB|min|nan|inf|XYZ|UV|Face|Trabecula|STL|SSL|SVG|PNG|pip)\b|mm[²³23]?"
+    r"</?\w+[^>]*>?|\(\*\.\w+\)|^Trabecula_\w+$|\b(mm|GB|MB|kB|min|nan|inf|XYZ|UV|Face|Trabecula|STL|SSL|SVG|PNG|HTML|CSV|XLSX|pip)\b|mm[²³23]?"
 )
 WORD = re.compile(r"[A-Za-zÀ-ž]{2,}")
 
@@ -99,14 +101,23 @@ def bare_words(node):
 def escaped(tree):
     """Return (line, text) of each literal that is shown as it is."""
     found = []
+    constants = {line.targets[0].id: line.value for line in tree.body if is_constant(line)}
     for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
         name = name_of(call)
         if name in SHOWS:
             places = SHOWS[name]
             shown = [one for place, one in enumerate(call.args) if places is None or place in places]
             shown += [key.value for key in call.keywords if key.arg in ("tip", "text", "title")]
+            shown = [constants.get(getattr(one, "id", ""), one) for one in shown]
             found += [(call.lineno, words) for one in shown for words in bare_words(one)]
     return found
+
+
+def is_constant(line):
+    """Return whether a line of a module gives a name to a literal."""
+    return (
+        isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name) and isinstance(line.value, ast.Constant)
+    )
 
 
 @pytest.mark.parametrize("source", [
@@ -114,6 +125,9 @@ def escaped(tree):
     "QtGui.QLabel(f'{count} rods')",
     "say('was written' if done else translate('Trabecula', 'failed'))",
     "button.setText('<b>' + 'Build' + '</b>')",
+    "document.openTransaction('Design rods')",
+    "STEP = 'Open envelope'\nwith transaction(document, STEP): pass",
+    "FreeCAD.Console.PrintWarning(f'{label} lost its face')",
 ])  # fmt: skip
 def test_a_literal_that_is_shown_as_it_is_would_be_found(source):
     assert len(escaped(ast.parse(source))) == 1
@@ -132,6 +146,12 @@ def test_what_is_translated_or_the_same_everywhere_is_not_taken_for_a_literal(so
 def test_no_literal_is_shown_without_translation():
     found = [f"{name}:{line}: {words!r}" for name, tree in gui_trees() for line, words in escaped(tree)]
     assert found == []
+
+
+def test_what_objects_write_to_the_report_view_is_put_into_words():
+    paths = sorted((ROOT / "freecad_trabecula" / "features").glob("*.py"))
+    trees = [(path.name, ast.parse(path.read_text(encoding="utf-8"))) for path in paths]
+    assert [f"{name}:{line}: {words!r}" for name, tree in trees for line, words in escaped(tree)] == []
 
 
 def untranslated_numbers(tree):
@@ -201,6 +221,24 @@ def test_texts_of_every_kind_are_found(texts):
         ("Core", "{}, box of {} mm about {} mm"),
     ):
         assert Text(context, source) in texts
+
+
+def test_every_refusal_of_the_layers_below_is_among_the_texts(texts):
+    known = " ".join(text.source for text in texts if text.context == "Core")
+    missed, count = [], 0
+    for path in sorted((ROOT / "freecad_trabecula").rglob("*.py")):
+        if path.relative_to(ROOT / "freecad_trabecula").parts[0] not in ("core", "geometry", "features"):
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            said = node.exc.args[:1] if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) else []
+            parts = getattr(said[0], "values", said) if said else []
+            pieces = [one.value for one in parts if isinstance(one, ast.Constant) and isinstance(one.value, str)]
+            longest = max(pieces, key=len, default="")
+            count += bool(longest)
+            if len(WORD.findall(longest)) > 1 and longest.replace("{", "{{").replace("}", "}}") not in known:
+                missed.append(f"{path.name}:{node.lineno}: {longest}")
+    assert count > 200
+    assert "\n".join(missed) == ""
 
 
 def test_all_that_an_explanation_says_is_among_the_texts(texts):

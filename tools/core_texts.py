@@ -50,7 +50,7 @@ class Speech(ast.NodeVisitor):
     def visit_Raise(self, node: ast.Raise) -> None:
         """Take what an error says."""
         if isinstance(node.exc, ast.Call) and node.exc.args:
-            self._take(node.exc.args[0])
+            self._take(node.exc.args[0], is_refusal=True)
 
     def visit_Call(self, node: ast.Call) -> None:
         """Take a checked rule with what it adds, and the step of a long work, which may be one word."""
@@ -102,11 +102,15 @@ class Speech(ast.NodeVisitor):
     def _texts(self, node: ast.expr) -> Sequence[str]:
         return self._read(node)
 
-    def _take(self, node: ast.expr, words: int = 1) -> None:
+    def _take(self, node: ast.expr, words: int = 1, is_refusal: bool = False) -> None:
         for template in self._texts(node):
             plain = re.sub(r"\{\}", " ", template)
             is_speech = words == 1 or " " in template.strip()
-            if is_speech and len(_WORD.findall(plain)) >= min(words, 1) and not _NO_WORDS.search(template):
+            if (
+                is_speech
+                and len(_WORD.findall(plain)) >= min(words, 1)
+                and (is_refusal or not _NO_WORDS.search(template))
+            ):
                 self.templates.append(template)
 
     def _read(self, node: ast.AST, depth: int = 0) -> List[str]:
@@ -227,7 +231,7 @@ MEASURES = ("TABLE", "AXIS_TABLE")
 #: What is read by its key only: in pages no word that somebody reads.
 _KEYS = ("get", "getattr", "namedtuple", "TypeVar", "to_values", "encode")
 _WORD = re.compile(r"[A-Za-z]{2,}")
-_NO_WORDS = re.compile(r"[\n<\\]|%[.d]|DOI|python3 -m|https?:|->|^[a-z]+_[a-z_]+ |^[a-z]+ -|\.json|^#|^\*")
+_NO_WORDS = re.compile(r"[\n\\]|<(?![= ])|%[.d]|DOI|python3 -m|https?:|->|^[a-z]+_[a-z_]+ |^[a-z]+ -|\.json|^#|^\*")
 #: Articles, and what is a sign in every language.
 _SAME = re.compile(r"(?:[A-Z][\w .]+ \d{4}, )?DOI \S+|[A-Z][\w .]+ \d{4}, DOI \S+|h|s|mm\d?|BV/TV")
 #: Marks of headings, points and bold words.

@@ -2,13 +2,15 @@
 """Pictures of every panel and of each design (``make gallery``), from a real FreeCAD window of 1280 x 800 under Xvfb.
 
 They go to build/gallery/; ``--docs`` copies those that the pages show into docs/pictures/. ``--only panels`` or
-``--only case6`` takes some of them. The window's own part is ``gallery_window.py``.
+``--only case6`` takes some of them. The window's own part is ``gallery_window.py``. The page of a report is pictured by
+a browser, if there is one.
 """
 
 import argparse
 import json
 import os
 import shutil
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -19,15 +21,19 @@ sys.path.insert(0, str(ROOT / "tests"))
 import run as tests  # noqa: E402  the folder comes first
 
 PARTS = (
-    *("panels", "analysis", "voxels", "study", "seeing", "dark", "case1", "case2", "case3", "case4", "case5", "case6"),
+    *("panels", "analysis", "voxels", "study", "seeing", "report", "dark"),
+    *("case1", "case2", "case3", "case4", "case5", "case6"),
     *("prism420", "cranial", "femur"),
 )
 #: Pictures that the pages show.
 IN_DOCS = ("design-sites", "design-pores", "design-couplings", "results-figures", "edit-site", "cranial-preview",
            "case6-scaffold", "cranial-scaffold", "analysis-areas", "analysis-compared", "voxels-panel",
            "voxels-layers", "voxels-tables", "voxels-watch", "voxels-curves", "why-results", "variants",
-           "seeing-section", "seeing-colours")  # fmt: skip
+           "seeing-section", "seeing-colours", "report-page")  # fmt: skip
 TIMEOUT = 900  # s a part
+#: Browsers that picture a page without showing it.
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+PAGE = (1000, 910)  # pixels
 
 
 def read_arguments():
@@ -61,6 +67,21 @@ def take(part, folder, facts):
     return good
 
 
+def picture_page(folder):
+    """Picture the report that the window wrote, as a browser shows it; without a browser say so and leave it."""
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    page, picture = folder / "report.html", folder / "report-page.png"
+    if browser is None:
+        print("SKIPPED report-page: no browser is here, of %s" % ", ".join(BROWSERS), flush=True)
+        return True
+    picture.unlink(missing_ok=True)
+    command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"]
+    command += ["--window-size=%d,%d" % PAGE, "--screenshot=%s" % picture, page.as_uri()]
+    subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+    print("%-4s report-page by %s" % ("ok" if picture.exists() else "FAIL", browser), flush=True)
+    return picture.exists()
+
+
 def main():
     """Take all pictures; return the exit code."""
     choices = read_arguments()
@@ -69,6 +90,8 @@ def main():
     facts = tests.freecad_facts(folder)
     print("FreeCAD %s" % facts["freecad"], flush=True)
     failed = [part for part in choices.only if not take(part, folder, facts)]
+    if "report" in choices.only and "report" not in failed and not picture_page(folder):
+        failed.append("report-page")
     pictures = sorted(folder.glob("*.png"))
     print("%d pictures in %s" % (len(pictures), folder))
     if choices.docs:

@@ -400,6 +400,26 @@ def take_seeing():
     shoot("seeing-notice")
 
 
+def take_report():
+    """Write the report of the first example and of voxels that match its bone; ``gallery.py`` has a browser show it."""
+    from unittest import mock
+
+    from freecad_trabecula import make
+    from freecad_trabecula.gui import report_writing
+
+    document = FreeCAD.newDocument("Example")
+    make.make_example(document, "rods")
+    make.make_voxel_design(document, document.getObject("Bone"))
+    path = FOLDER / "report.html"
+    path.unlink(missing_ok=True)
+    with mock.patch.object(QtGui.QDesktopServices, "openUrl", lambda *_: True):
+        report_writing.write(document, str(path))
+        wait(path.exists, 300)
+        wait(seconds=1.0)
+    if not path.exists():
+        sys.exit("no report was written")
+
+
 def take_dark():
     """Picture some panels with a dark theme of FreeCAD's own."""
     from freecad_trabecula import make
@@ -440,7 +460,7 @@ def main():
         if CHOICE["part"] != "theme":
             arrange()
         others = {"panels": take_panels, "analysis": take_analysis, "voxels": take_voxels}
-        others.update(dark=take_dark, study=take_study, seeing=take_seeing, theme=choose_dark_theme)
+        others.update(dark=take_dark, report=take_report, study=take_study, seeing=take_seeing, theme=choose_dark_theme)
         if CHOICE["part"].startswith("tour-"):
             import tour_window
 

@@ -7,6 +7,7 @@ Texts are ordered by their context, as Qt has it:
 * ``Trabecula_...``: text and tooltip of a command; FreeCAD asks for them under the command's name;
 * ``Workbench``: titles of menu and toolbars, and what ``InitGui.py`` says of the workbench;
 * ``App::Property``: what a property or a field of a panel is (its tooltip), of parameter classes and features;
+* ``Labels``: labels of new objects (``gui/labels.py``);
 * ``Choices``: the words of combo boxes, which documents and files keep as they stand in the code;
 * ``Core``: what core, geometry and features say: refusals, states, notes, names of measures, steps of long work. Of an
   f-string the template is kept, with ``{}`` for each value; ``gui/language.py`` finds it again when a message is shown;
@@ -34,7 +35,7 @@ PACKAGE = ROOT / "freecad_trabecula"
 #: Layers below the window, whose messages are shown in it.
 BELOW = ("core", "geometry", "features", "shell/worker.py")
 MARKS = ("translate", "QT_TRANSLATE_NOOP")
-#: Functions that make a property, and the place of what it is among their arguments.
+#: Functions that make a property, and the place of what it is among their arguments, its group before it.
 DOCUMENTED = {"Property": 3, "result": 2, "addProperty": 3}
 
 
@@ -204,13 +205,17 @@ def _properties() -> Iterator[Tuple[Text, str]]:
             if "doc" in field.metadata:
                 yield Text("App::Property", field.metadata["doc"]), _file_of(cls)
     for cls in base.BINDINGS:
-        for doc in base.descriptions(cls):
+        for doc in (*base.descriptions(cls), base.BINDINGS[cls].group):
             yield Text("App::Property", doc), _file_of(cls)
     for file, tree in _modules("features"):
         for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
             place = DOCUMENTED.get(callee(call))
-            if place is not None and literal(_argument(call, place, "doc")):
-                yield Text("App::Property", literal(_argument(call, place, "doc"))), file
+            if place is None:
+                continue
+            group = _argument(call, place - 1, "group") if callee(call) != "result" else None
+            for text in (literal(_argument(call, place, "doc")), literal(group)):
+                if text:
+                    yield Text("App::Property", text), file
 
 
 # ---------------------------------------------------------------------------------------- what the layers below say

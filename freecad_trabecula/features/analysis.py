@@ -196,14 +196,15 @@ def analysis_of(obj: Any) -> core.Analysis:
     if not given_object(obj, Analysis).ResultKey:
         raise ParameterError(f"{obj.Label} must have been computed, got: {obj.Status or 'nothing yet'}")
     found = results.find(Analysis.KIND, obj.ResultKey) or results.find(PROFILES, obj.ResultKey)
-    if found is not None:
-        return found
-    try:
-        value = from_numbers(obj.Structure, obj.Numbers)
-    except ExportError as error:
-        raise ParameterError(f"{obj.Label} must be computed anew: {error}") from error
-    measures = {axis: _measures(told) for axis, told in value.measures.items()}
-    return results.keep(PROFILES, obj.ResultKey, replace(value, measures=measures))
+    if found is None:
+        try:
+            value = from_numbers(obj.Structure, obj.Numbers)
+        except ExportError as error:
+            raise ParameterError(f"{obj.Label} must be computed anew: {error}") from error
+        measures = {axis: _measures(told) for axis, told in value.measures.items()}
+        found = results.keep(PROFILES, obj.ResultKey, replace(value, measures=measures))
+    name = obj.Source.Label if obj.Source is not None else found.name  # it may have got another since
+    return found if name == found.name else replace(found, name=name)
 
 
 def contours_at_hand(obj: Any, axis: str) -> Optional[Contours]:

@@ -15,6 +15,7 @@ from ..errors import EnvelopeError
 from ..geometry.design import SitedFace, sites_shape
 from ..geometry.face_marks import face_mark, found_again
 from ..geometry.face_sites import face_sites
+from ..views import in_words
 from . import results
 from .base import read_parameters
 from .envelope import envelope_of, is_known, mark_of
@@ -171,5 +172,5 @@ def follow_face(obj: Any) -> str:
     obj.FaceName = obj.FaceName or name
     obj.Face = (owner, [f"Face{found}"])
     said = f"its face, {name} so far, is now Face{found} of {owner.Label}"
-    FreeCAD.Console.PrintWarning(f"{obj.Label}: {said}\n")
+    FreeCAD.Console.PrintWarning(f"{obj.Label}: {in_words(said)}\n")
     return said

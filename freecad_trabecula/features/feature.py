@@ -10,7 +10,7 @@ import FreeCAD
 
 from ..core.progress import Progress, silent
 from ..errors import KernelError, ParameterError, TrabeculaError
-from ..views import attach_view
+from ..views import attach_view, in_words
 from . import migrations
 from .base import add_parameters
 from .stateless import Stateless
@@ -86,7 +86,8 @@ class Feature(Stateless):
         except TrabeculaError as error:
             status = f"{ERROR}{error}"
             FreeCAD.Console.PrintLog(traceback.format_exc())
-            raise error.with_traceback(None) from None  # the report view shows the sentence, not our way to it
+            # the report view shows the sentence in the window's language, and not our way to it
+            raise type(error)(in_words(str(error))).with_traceback(None) from None
         finally:
             obj.Status = status
 

@@ -18,6 +18,8 @@ from .document_work import Order, check_present, write_step
 from .preferences import new_slices
 from .work_text import work_text
 
+translate = FreeCAD.Qt.translate
+
 
 class Wish(NamedTuple):
     """What is to be analysed, and how.
@@ -83,7 +85,9 @@ class Wish(NamedTuple):
             line = f"make.make_analysis(document, document.getObject({self.source!r}), {more})"
         else:
             line = f"make.make_analysis(document, {self.file!r}, {more}, unit={self.unit!r})"
-        return write_step(self.document, "Analyse", self.parameters, (line,), Analysis.Type, self.analysis)
+        return write_step(
+            self.document, translate("Trabecula", "Analyse"), self.parameters, (line,), Analysis.Type, self.analysis
+        )
 
 
 def analyse_at_once(source: Any, done: Callable[[Any], None]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Set
 
 import FreeCAD
 import Part
@@ -20,9 +20,12 @@ from ..geometry.fingerprints import fingerprint
 from . import transactions
 from .document_work import DocumentWork, Listener, open_writings
 from .install import PACKAGE
+from .labels import label_new, names_in
+from .language import in_words
 from .qt import invoke_later
 from .transactions import record
 
+translate = FreeCAD.Qt.translate
 _TURN = 50  # ms until a design that waits looks whether it is its turn
 Solid = Callable[[], Optional[Part.Shape]]
 
@@ -105,6 +108,7 @@ class Writing:
         self._steps += [lambda kind=kind: self._write_body(kind) for kind in kinds]
         self._steps += [lambda: _show(self._wireframe()), self._let_follow]
         self._document: Any = None
+        self._before: Set[str] = set()
         self._unfinished = ""
 
     def start(self) -> None:
@@ -114,7 +118,8 @@ class Writing:
             return
         self._document = FreeCAD.getDocument(self._target.document)
         self._listener.begins()
-        self._document.openTransaction("Design rods")
+        self._before = names_in(self._document)
+        self._document.openTransaction(translate("Trabecula", "Design rods"))
         open_writings.append(self)
         self._go_on()
 
@@ -155,12 +160,13 @@ class Writing:
             if self._steps:
                 invoke_later(self._go_on)
             else:
+                label_new(self._document, self._before)
                 self._document.commitTransaction()
                 wireframe = self._wireframe()
                 self._close()
                 self._listener.done(wireframe)
                 if self._unfinished:
-                    transactions.show_error(self._unfinished)
+                    transactions.show_error(in_words(self._unfinished))
 
     def _write_design(self) -> None:
         target = self._target

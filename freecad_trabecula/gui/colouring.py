@@ -19,6 +19,7 @@ from ..errors import TrabeculaError
 from ..features.colouring import PLAIN, axis_of, choices, colouring_work, layers_work, missing_of
 from ..features.relations import type_of
 from .aside import compute_aside, filled_in_pieces, in_turns
+from .language import in_words
 from .legend import LegendOverlay, Titled
 from .lost_rods import LostRods
 from .merged_blocks import LayerColours, blocks_of, is_merged
@@ -157,7 +158,7 @@ def _refresh(document: str, name: str) -> None:
     try:
         colour(obj)
     except TrabeculaError as error:
-        FreeCAD.Console.PrintWarning(f"{error}\n")
+        FreeCAD.Console.PrintWarning(in_words(str(error)) + "\n")
 
 
 def show_also(document: str, legend: Optional[Titled]) -> None:

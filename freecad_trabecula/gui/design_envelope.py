@@ -17,7 +17,7 @@ from .picking import is_solid
 from .transactions import transaction
 
 translate = FreeCAD.Qt.translate
-_STEP = "Open envelope"  # name of the step to undo
+_STEP = translate("Trabecula", "Open envelope")  # name of the step to undo
 
 
 class DesignEnvelope:

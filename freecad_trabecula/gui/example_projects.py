@@ -10,6 +10,7 @@ import FreeCADGui
 
 from .. import make
 from ..features.tasks import write_example_task
+from .labels import label_document
 from .qt import invoke_later
 from .status_work import work_in_status_bar
 from .transactions import record, told, transaction
@@ -50,6 +51,7 @@ def _write(name: str) -> Any:
     record("from freecad_trabecula import make")
     record(f'document = FreeCAD.newDocument("Example_{name}")')
     document = FreeCAD.ActiveDocument
+    label_document(document)
     with transaction(document, translate("Trabecula", "Example project")):
         record(f"make.make_example(document, {name!r})")
     for obj in document.Objects:

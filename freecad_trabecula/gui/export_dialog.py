@@ -21,6 +21,7 @@ from ..geometry.files import (
     write_shape,
 )
 from ..geometry.mesh_objects import core_mesh
+from .labels import file_name
 from .language import local_number
 from .preferences import folder_for
 from .qt import Buttons, run_dialog
@@ -150,8 +151,7 @@ def ask_and_write(obj: Any, kind: str, write: Callable[[Any, str], None]) -> Opt
     TrabeculaError
         If it cannot be written.
     """
-    name = f"{obj.Document.Label}-{obj.Label}.{kind}".replace(" ", "_")
-    folder = folder_for(obj.Document)
+    folder, name = folder_for(obj.Document), file_name(obj, f".{kind}")
     path, _ = QtGui.QFileDialog.getSaveFileName(
         FreeCADGui.getMainWindow(), translate("Trabecula", "Export"), os.path.join(folder, name),
         f"{kind.upper()} (*.{kind})",

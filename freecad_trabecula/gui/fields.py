@@ -10,7 +10,7 @@ from PySide import QtGui
 
 from ..core.parameters import Point
 from .language import choice
-from .qt import quantity_box, set_length
+from .qt import quantity_box, set_length, take_both_signs
 
 translate = FreeCAD.Qt.translate
 Changed = Callable[[], None]
@@ -50,6 +50,7 @@ class NumberField(Field):
             box.setSingleStep(step)
             if unit:
                 box.setSuffix(" " + unit)
+            take_both_signs(box)
         self._exact: Tuple[Optional[float], float] = (None, 0.0)
         box.valueChanged.connect(lambda *_: changed())
 

@@ -20,12 +20,17 @@ from PySide import QtCore
 
 translate = FreeCAD.Qt.translate
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
+#: Codes of the languages that we have a translation for, besides English.
+LANGUAGES = tuple(sorted(path.stem.rpartition("_")[2] for path in FOLDER.glob("Trabecula_*.ts")))
 _PLACE = re.compile(r"\{\d*\}")
 #: Numbers as Python writes them, thousands parted or not; none of an equation, a chapter, a name or a path.
 _NUMBER = re.compile(
     r"(?<!Eq\. )(?<!thesis )(?<!ch\. )(?<![\w./',])-?(?:\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+\.\d+(?:e[+-]?\d+)?)"
     r"(?![\w/']|[.,]\d)"
 )
+#: A number as somebody types it, whole thousands, and the blank that parts them.
+_TYPED, _THOUSANDS = re.compile(r"\d[\d.,]*|[.,]\d+"), re.compile(r"\d{1,3}([.,]\d{3})+")
+_BLANK = re.compile(r"(?<=\d)[ \u00a0\u202f](?=\d{3}(?!\d))")
 _LEAST_LETTERS = 4  # of a template, below which it fits anything but numbers
 _NUMERAL = re.compile(r"[-+]?\d")
 _DEPTH = 4  # of messages in messages
@@ -46,6 +51,11 @@ def description(text: str) -> str:
 def choice(word: str) -> str:
     """Return a word of a combo box in the language of the window; documents and files keep it as it is."""
     return translate("Choices", word) if word else ""
+
+
+def translated(context: str, text: str) -> str:
+    """Return a text that the sources mark with ``QT_TRANSLATE_NOOP`` in the language of the window."""
+    return translate(context, text)
 
 
 # ------------------------------------------------------------------------------------------------------- numbers
@@ -98,6 +108,33 @@ def with_decimals(text: str) -> str:
     local = _NUMBER.sub(lambda found: _localised(found[0]), text)
     # 0,1, 0,2 would be read as four numbers
     return re.sub(rf"(?<=\d{sign}\d), (?=-?\d)|(?<=\d), (?=-?\d+{sign}\d)", "; ", local) if sign == "," else local
+
+
+def typed_numbers(text: str) -> str:
+    """Return a text with its numbers as the window's fields read them, whether a point or a comma was typed.
+
+    One sign is the decimal sign; of several the last one is, if those before it part thousands. Left alone, a field of
+    a German window would read 0.5 as 5, for there the point parts thousands.
+
+    Examples
+    --------
+    >>> typed_numbers("0,5 mm"), typed_numbers("1.234,5"), typed_numbers("1 234.5")
+    ('0.5 mm', '1,234.5', '1234.5')
+    """
+    sign = decimal_point()
+    return _TYPED.sub(lambda found: _typed(found[0], sign), _BLANK.sub("", text)) if sign in ".," else text
+
+
+def _typed(number: str, sign: str) -> str:
+    head, between, tail = re.fullmatch(r"(.*?)(?:([.,])(\d*))?", number).groups()
+    other = "," if sign == "." else "."
+    if not between or (not head and not tail):
+        return number
+    if head.isdigit() or not head:
+        return f"{head}{sign}{tail}"
+    if _THOUSANDS.fullmatch(number) and number.count(between) == len(re.findall("[.,]", number)) > 1:
+        return re.sub("[.,]", other, number)
+    return re.sub("[.,]", other, head) + sign + tail if _THOUSANDS.fullmatch(head) else number
 
 
 # ---------------------------------------------------------------------------------- what the layers below say
@@ -169,7 +206,7 @@ def _speech(code: str) -> Tuple[Dict[str, str], List[_Template]]:
     """Fixed texts and templates of the layers below, from the file of a language; for English those of another."""
     fixed: Dict[str, str] = {}
     templates: List[_Template] = []
-    for source, target in _messages(code):
+    for source, target in messages("de" if code == "en" else code, "Core"):
         target = source if code == "en" else target
         if _PLACE.search(source) is None:
             fixed[source.replace("{{", "{").replace("}}", "}")] = target.replace("{{", "{").replace("}}", "}")
@@ -181,15 +218,23 @@ def _speech(code: str) -> Tuple[Dict[str, str], List[_Template]]:
     return fixed, templates
 
 
-def _messages(code: str) -> List[Tuple[str, str]]:
-    path = FOLDER / f"Trabecula_{'de' if code == 'en' else code}.ts"
+@lru_cache(maxsize=8)
+def messages(code: str, context: str) -> Tuple[Tuple[str, str], ...]:
+    """Return all texts of a context, each with its translation into a language; as it is where there is none.
+
+    Parameters
+    ----------
+    code : str
+        One of ``LANGUAGES``.
+    context : str
+        As ``tools/window_texts.py`` has it: ``Core``, ``Labels``.
+    """
+    path = FOLDER / f"Trabecula_{code}.ts"
     root: Optional[ElementTree.Element] = ElementTree.parse(path).getroot() if path.is_file() else None
-    contexts = root.iter("context") if root is not None else ()
     found = []
-    for message in (
-        one for context in contexts if context.findtext("name") == "Core" for one in context.iter("message")
-    ):
-        source, target = message.findtext("source") or "", message.findtext("translation") or ""
-        if target or code == "en":
-            found.append((source, target or source))
-    return found
+    for part in root.iter("context") if root is not None else ():
+        if part.findtext("name") == context:
+            for message in part.iter("message"):
+                source = message.findtext("source") or ""
+                found.append((source, message.findtext("translation") or source))
+    return tuple(found)

@@ -31,11 +31,12 @@ class LawField(Field):
 
     def _lay_out(self) -> None:
         first = row_widget()
-        for field, stretch, width in ((self.kind, 0, 94), (self.low, 1, 64), (self.high, 1, 64)):
+        for field, stretch, width in ((self.kind, 0, 80), (self.low, 1, 72), (self.high, 1, 72)):
             field.widget.setMinimumWidth(width)
             if field is not self.kind:
                 field.widget.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
             first.layout().addWidget(field.widget, stretch)
+        first.layout().setSpacing(2)
         column = QtGui.QVBoxLayout(self.widget)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)

@@ -24,7 +24,10 @@ from ..core.presets import preset
 from ..core.voxels.parameters import VoxelParameters
 from ..errors import ParameterError
 from ..features.voxel_design import SURFACES
+from .language import filled, in_words
 from .qt import RESOURCES
+
+translate = FreeCAD.Qt.translate
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/Trabecula"
 PAGE = RESOURCES / "ui" / "preferences.ui"
@@ -44,12 +47,22 @@ class Entry(NamedTuple):
 
 
 def _length(default: float) -> Entry:
-    return Entry("Float", default, "must be a length above 0 mm", lambda value: math.isfinite(value) and value > 0)
+    return Entry(
+        "Float",
+        default,
+        translate("Trabecula", "must be a length above 0 mm"),
+        lambda value: math.isfinite(value) and value > 0,
+    )
 
 
 def _choice(words: Tuple[str, ...], default: str) -> Entry:
-    rule = f"must be the number of one of {', '.join(words)}"
+    rule = translate("Trabecula", "must be the number of one of {}").format(", ".join(words))
     return Entry("Int", words.index(default), rule, lambda value: 0 <= value < len(words))
+
+
+def _whole(default: int, most: int) -> Entry:
+    rule = translate("Trabecula", "must lie in {}..{}").format(0, most)
+    return Entry("Int", default, rule, lambda value: 0 <= value <= most)
 
 
 def _colour(code: str) -> Entry:
@@ -58,7 +71,7 @@ def _colour(code: str) -> Entry:
 
 #: All preferences, by the name under which FreeCAD keeps them.
 ENTRIES: Dict[str, Entry] = {
-    "Seed": Entry("Int", _DEFAULT_JOB.seed, f"must lie in 0..{LARGEST_SEED}", lambda value: 0 <= value <= LARGEST_SEED),
+    "Seed": _whole(_DEFAULT_JOB.seed, LARGEST_SEED),
     "PoreSmallest": _length(_DEFAULT_JOB.pores.size.low),
     "PoreLargest": _length(_DEFAULT_JOB.pores.size.high),
     "Engine": _choice(ENGINES, _DEFAULT_JOB.scaffold.engine),
@@ -75,9 +88,12 @@ ENTRIES: Dict[str, Entry] = {
     "ColourSample": _colour("#d55e00"),
     "ColourDesign": _colour("#0072b2"),
     "ExportFolder": Entry(
-        "String", "", "must be a folder that is there", lambda folder: not folder or os.path.isdir(folder)
+        "String",
+        "",
+        translate("Trabecula", "must be a folder that is there"),
+        lambda folder: not folder or os.path.isdir(folder),
     ),
-    "Threads": Entry("Int", 0, f"must lie in 0..{_MOST_THREADS}", lambda value: 0 <= value <= _MOST_THREADS),
+    "Threads": _whole(0, _MOST_THREADS),
     "ShowStartPanel": Entry("Bool", True),
 }
 
@@ -88,12 +104,13 @@ def preference(name: str) -> Any:
     value = getattr(FreeCAD.ParamGet(GROUP), "Get" + entry.kind)(name, entry.default)
     if entry.is_good(value):
         return value
-    _tell(f"{name} {entry.rule}, got {value!r}; {entry.default!r} is taken")
+    told = translate("Trabecula", "{} {}, got {}; {} is taken")
+    _tell(filled(told, name, entry.rule, value, entry.default))
     return entry.default
 
 
 def _tell(text: str) -> None:
-    FreeCAD.Console.PrintWarning(f"Trabecula's preferences: {text}\n")
+    FreeCAD.Console.PrintWarning(translate("Trabecula", "Trabecula's preferences: {}").format(text) + "\n")
 
 
 def add_page() -> None:
@@ -112,7 +129,8 @@ def new_job() -> Job:
     try:
         return replace(job, pores=replace(job.pores, size=uniform(low, high)))
     except ParameterError as error:
-        _tell(f"PoreSmallest and PoreLargest: {error}; {job.pores.size.low:g} and {job.pores.size.high:g} mm are taken")
+        told = translate("Trabecula", "PoreSmallest and PoreLargest: {}; {:g} and {:g} mm are taken")
+        _tell(filled(told, in_words(str(error)), job.pores.size.low, job.pores.size.high))
         return job
 
 

@@ -15,7 +15,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from . import language  # noqa: F401  its translations come before the first text
+from . import language  # its translations come before the first text
 from .help_pages import CONTENTS, GLOSSARY
 
 translate = FreeCAD.Qt.translate
@@ -100,6 +100,20 @@ class PanelForm(QtGui.QWidget):
             super().keyPressEvent(event)
 
 
+def _is_new(box: Any) -> bool:
+    """Return whether a wrapper is that of the box just made, not of a deleted one of a panel that somebody still holds.
+
+    PySide keeps such a wrapper under the address of its box, and gives it for the next box there; PySide6 takes it for
+    alive, all but its signals.
+    """
+    try:
+        box.valueChanged.connect(_is_new)
+        box.valueChanged.disconnect(_is_new)
+    except (RuntimeError, AttributeError):
+        return False
+    return is_alive(box)
+
+
 def quantity_box() -> Any:
     """Return FreeCAD's spin box for lengths: it takes units and formulas, and the decimal sign of the locale.
 
@@ -107,11 +121,13 @@ def quantity_box() -> Any:
     of mm: the unit is written behind it as soon as it is typed.
     """
     box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-    while not is_alive(box):  # PySide2 gave the wrapper of a deleted box, of a panel that somebody still holds
+    while not _is_new(box):
         box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
     box.setProperty("unit", "mm")
     # weak: a wrapper that outlives its deleted widget would be taken for the next one at its place in memory
     known = weakref.ref(box)
+
+    take_both_signs(box)
 
     def edited(*_: Any) -> None:
         less = _shows_less(known())  # now: in a moment the box has taken what was typed
@@ -119,6 +135,20 @@ def quantity_box() -> Any:
 
     box.findChild(QtGui.QLineEdit).textEdited.connect(edited)
     return box
+
+
+def take_both_signs(box: Any) -> None:
+    """Have the point and the comma that are typed into a spin box both be its decimal sign, at once and seen."""
+    known = weakref.ref(box)
+
+    def edited(text: str) -> None:
+        line, mended = known().findChild(QtGui.QLineEdit), language.typed_numbers(text)
+        if mended != text:
+            place = line.cursorPosition() + len(mended) - len(text)
+            line.setText(mended)
+            line.setCursorPosition(place)
+
+    box.findChild(QtGui.QLineEdit).textEdited.connect(edited)
 
 
 def _shows_less(box: Any) -> bool:

@@ -96,7 +96,7 @@ def computed_wireframe(obj: Any) -> Optional[Wireframe]:
     try:
         return obj.Proxy.wireframe(obj)
     except TrabeculaError as error:
-        FreeCAD.Console.PrintWarning(f"{error}\n")
+        FreeCAD.Console.PrintWarning(in_words(str(error)) + "\n")
         return None
 
 

@@ -154,19 +154,24 @@ class SitePanel(DocumentPanel):
     def _set_pore(self) -> None:
         turns = tuple(field.value() for field in self.turns)
         more = f", turns={turns!r}" if turns else ""
-        self._do("Set pore", f"set_pore(wireframe, {self.site.value()!r}, size={self.size.value()!r}{more})")
+        self._do(
+            translate("Trabecula", "Set pore"),
+            f"set_pore(wireframe, {self.site.value()!r}, size={self.size.value()!r}{more})",
+        )
 
     def _move(self) -> None:
-        self._do("Move site", f"move_site(wireframe, {self.site.value()!r}, {self.point.value()!r})")
+        self._do(
+            translate("Trabecula", "Move site"), f"move_site(wireframe, {self.site.value()!r}, {self.point.value()!r})"
+        )
 
     def _switch_off(self) -> None:
-        self._do("Switch site off", f"switch_off_site(wireframe, {self.site.value()!r})")
+        self._do(translate("Trabecula", "Switch site off"), f"switch_off_site(wireframe, {self.site.value()!r})")
 
     def _take_back(self) -> None:
         kept = {edit.site for edit in self.edits.value()}
         gone = [edit.site for edit in self.obj.Proxy.parameters(self.obj).edits if edit.site not in kept]
         for site in gone[:1]:
-            self._do("Take back", f"take_back_edits(wireframe, {site!r})")
+            self._do(translate("Trabecula", "Take back"), f"take_back_edits(wireframe, {site!r})")
 
     # --------------------------------------------------------------------------------------- observers, task panel
 

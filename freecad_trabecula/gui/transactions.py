@@ -11,6 +11,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ..errors import Cancelled, DependencyError, TrabeculaError
+from .labels import label_new, names_in
 from .language import in_words
 
 translate = FreeCAD.Qt.translate
@@ -18,10 +19,15 @@ translate = FreeCAD.Qt.translate
 
 @contextmanager
 def transaction(document: Any, name: str) -> Iterator[None]:
-    """Make what happens inside one step to undo; an error takes all of it back and goes on."""
+    """Make what happens inside one step to undo; an error takes all of it back and goes on.
+
+    What was made gets its labels in the language of the window.
+    """
+    before = names_in(document)
     document.openTransaction(name)
     try:
         yield
+        label_new(document, before)
     except BaseException:
         document.abortTransaction()
         raise

@@ -67,6 +67,8 @@ class VariantsDialog(QtGui.QDialog):
         self.bar.setRange(0, 1000)
         self.message.setWordWrap(True)
         self.table = table(1)
+        fill(self.table, [translate("Trabecula", "Seed")], [])
+        let_grow(self.table)
         self.table.setIconSize(QtCore.QSize(_PICTURE, _PICTURE))
         self.table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
         self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)

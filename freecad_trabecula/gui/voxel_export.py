@@ -21,6 +21,7 @@ from ..core.voxels.volume_files import WRITERS
 from ..errors import ExportError
 from ..geometry.files import MESH_FORMATS
 from .export_dialog import ExportDialog, ask_and_write, size_text, write_body
+from .labels import file_name
 from .preferences import folder_for
 from .qt import run_dialog
 from .transactions import say
@@ -72,7 +73,7 @@ def write_images(obj: Any, kind: str, folder: str) -> str:
         If the new folder is there already, or an image cannot be written.
     """
     design = make.voxel_design_of(obj)
-    target = Path(folder) / f"{obj.Document.Label}-{obj.Label}-layers".replace(" ", "_")
+    target = Path(folder) / file_name(obj, "-layers")
     if target.exists():
         raise ExportError(f"the images need a new folder, but {target} is there already")
     QtGui.QApplication.setOverrideCursor(QtGui.QCursor(QtCore.Qt.WaitCursor))

@@ -87,7 +87,8 @@ class VoxelWish(NamedTuple):
             lines.append(f"make.make_voxel_design(document, {sample}, {more})")
         if self.source and not self.design:  # both fill the same place
             lines.append(f"{sample}.Visibility = False")
-        return write_step(self.document, "Design voxels", self.parameters, lines, VoxelDesign.Type, self.design)
+        step = translate("Trabecula", "Design voxels")
+        return write_step(self.document, step, self.parameters, lines, VoxelDesign.Type, self.design)
 
 
 def design_with_tables(obj: Any, tables: Sequence[Any]) -> None:

@@ -24,6 +24,19 @@
         <translation>Achsen der Ebenen: x, y, z oder eine Richtung wie 0.6,0.8,0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
         <translation>Blöcke halten Volumen und Flächen genau ein; glatt hält das Volumen ein</translation>
@@ -116,7 +129,7 @@
     <message>
         <location filename="../../freecad_trabecula/features/scaffold.py"/>
         <source>Connected pieces of the scaffold</source>
-        <translation>Verbundene Gerüstteile</translation>
+        <translation>Zusammenhängende Gerüstteile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -162,6 +175,11 @@
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>Count of faces; points on the face and normals there</source>
         <translation>Anzahl der Flächen; Punkte auf der Fläche und Normalen dort</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Couplings</source>
+        <translation>Kopplungen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -364,6 +382,11 @@
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>Largest difference of one rod, %</source>
         <translation>Größter Unterschied eines Stabs, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Layers</source>
+        <translation>Schichten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -668,6 +691,11 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Paths</source>
+        <translation>Pfade</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Paths of this coupling; none means those of the design</source>
         <translation>Pfade dieser Kopplung; keine bedeutet die des Entwurfs</translation>
     </message>
@@ -692,6 +720,11 @@
         <translation>Punkte, die eine Kontur kaum knicken, werden weggelassen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Pores</source>
+        <translation>Poren</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>Pores that overlap or reach over a border</source>
         <translation>Poren, die sich überlappen oder über einen Rand reichen</translation>
@@ -705,6 +738,16 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Random displacement of each corner, in sides of the square</source>
         <translation>Zufällige Verschiebung jeder Ecke, in Quadratseiten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Rods</source>
+        <translation>Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
@@ -748,6 +791,11 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Scaffold</source>
+        <translation>Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Sections through which the surface of a solid rod is laid</source>
         <translation>Querschnitte, durch die die Oberfläche eines Stabs als Volumenkörper gelegt wird</translation>
     </message>
@@ -776,6 +824,12 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Short name used in couplings and reports, e.g. A; none means the face's own (name)</source>
         <translation>Kurzname in Kopplungen und Berichten, z. B. A; keiner bedeutet der Name der Fläche (name)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sites</source>
+        <translation>Stellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -836,6 +890,12 @@
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>Sizes of the rods' end sections, mm</source>
         <translation>Größen der Endquerschnitte der Stäbe, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -1099,6 +1159,11 @@
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>Volumes of the solids, mm^3</source>
         <translation>Volumen der Volumenkörper, mm^3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -2284,6 +2349,13 @@
         <translation>eine PLY-Datei muss mit ihrem Kopf beginnen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>a box must satisfy low &lt; high on every axis, got {} and {} mm</source>
+        <translation>für einen Quader muss auf jeder Achse unten &lt; oben gelten, hier {} und {} mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>a cap of {} on {}</source>
         <translation>eine Grenze von {} für {}</translation>
@@ -2504,6 +2576,21 @@
         <translation>eine Schichtdatei wird gelesen, wie sie ist: Höhen und Bereich können nicht gewählt werden</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>a folder must hold the report.json of design, analyse, compare or voxels, got {} with another record</source>
+        <translation>ein Ordner muss die report.json von design, analyse, compare oder voxels enthalten, hier {} mit einem anderen Inhalt</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>a folder must hold the report.json of design, analyse, compare or voxels, got {}, which holds no JSON: {}</source>
+        <translation>ein Ordner muss die report.json von design, analyse, compare oder voxels enthalten, hier {}, die kein JSON enthält: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>a folder must hold the report.json of design, analyse, compare or voxels, got {}: {}</source>
+        <translation>ein Ordner muss die report.json von design, analyse, compare oder voxels enthalten, hier {}: {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job must be JSON: {}</source>
         <translation>ein Auftrag muss JSON sein: {}</translation>
@@ -2542,6 +2629,11 @@
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law's bounds must be finite numbers, got {} and {}</source>
         <translation>die Grenzen eines Gesetzes müssen endliche Zahlen sein, hier {} und {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>a law's bounds must satisfy low &lt;= high, got {} and {}</source>
+        <translation>für die Grenzen eines Gesetzes muss kleinster &lt;= größter Wert gelten, hier {} und {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -2709,6 +2801,11 @@
         <translation>eine Größe muss eine von {} sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>a range of layers must satisfy low &lt; high, got {}</source>
+        <translation>für einen Bereich von Schichten muss unten &lt; oben gelten, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/report.py"/>
         <source>a range only was sliced</source>
         <translation>nur ein Bereich wurde geschnitten</translation>
@@ -2732,6 +2829,11 @@
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>a rod's solid must have its mesh's volume within {}, got {} and {} mm3 for rod {}</source>
         <translation>der Volumenkörper eines Stabs muss das Volumen seines Netzes auf {} haben, hier {} und {} mm3 für Stab {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>a row must have 0 &lt;= v &lt;= N and voxels &gt;= 0, got {}</source>
+        <translation>für eine Zeile muss 0 &lt;= v &lt;= N und Voxel &gt;= 0 gelten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
@@ -4861,6 +4963,11 @@
         <translation>keine Schicht hat diese {} Voxel in Spalten und {} in Zeilen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>no pair of tables was found in {} tries that alpha &lt;= {} and beta &lt;= {} allow: larger caps leave more room</source>
+        <translation>in {} Versuchen fand sich kein Tabellenpaar, das alpha &lt;= {} und beta &lt;= {} zulassen: größere Grenzen lassen mehr Raum</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>no pair of tables was found within the mask in {} tries{}; strategy trabecular, which needs no tables, may find a design</source>
         <translation>in der Maske wurde in {} Versuchen kein Tabellenpaar gefunden{}; die Strategie trabekulär, die keine Tabellen braucht, findet vielleicht einen Entwurf</translation>
@@ -6124,6 +6231,11 @@
         <translation>Zug der Tangente</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>targets are read from {}, .csv, .json, the folder of an analysis or a folder of images, got {}</source>
+        <translation>Ziele werden aus {}, .csv, .json, dem Ordner einer Analyse oder einem Ordner mit Bildern gelesen, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
         <source>targets of {} layers do not fit a field of {}</source>
         <translation>Zielwerte von {} Schichten passen nicht zu einem Feld von {}</translation>
@@ -6169,6 +6281,11 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>the body could not be measured as a whole: {}</source>
         <translation>der Körper konnte als Ganzes nicht vermessen werden: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the border distance along {} must satisfy 0 &lt;= a &lt; edge / 2 = {} mm, got {}</source>
+        <translation>für den Randabstand entlang {} muss 0 &lt;= a &lt; Kante / 2 = {} mm gelten, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -8866,6 +8983,104 @@
     </message>
 </context>
 <context>
+    <name>Labels</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Analysis {}</source>
+        <translation>Analyse {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Envelope</source>
+        <translation>Hüllkörper</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Example_measure</source>
+        <translation>Beispiel_Messung</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Example_rods</source>
+        <translation>Beispiel_Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Example_voxels</source>
+        <translation>Beispiel_Voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Layers of {}</source>
+        <translation>Schichten von {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Loose</source>
+        <translation>Lose Teile</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Scaffold</source>
+        <translation>Gerüst</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Sites</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Sites {}</source>
+        <translation>Stellen {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>SolidScaffold</source>
+        <translation>Gerüst (Volumenkörper)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Specimen {}</source>
+        <translation>Präparat {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Voids</source>
+        <translation>Hohlräume</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Voxels of drawn curves</source>
+        <translation>Voxel gezeichneter Kurven</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Voxels {}</source>
+        <translation>Voxel {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Wireframe</source>
+        <translation>Drahtmodell</translation>
+    </message>
+</context>
+<context>
     <name>Trabecula</name>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
@@ -8963,6 +9178,7 @@
         <translation>Alle Arbeitswege</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/analysing.py"/>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Analyse</source>
         <translation>Analysieren</translation>
@@ -9263,7 +9479,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Connected channels</source>
-        <translation>Verbundene Kanäle</translation>
+        <translation>Zusammenhängende Kanäle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_figures.py"/>
@@ -9273,7 +9489,7 @@
     <message>
         <location filename="../../freecad_trabecula/gui/figures.py"/>
         <source>Connected pieces of the scaffold</source>
-        <translation>Verbundene Gerüstteile</translation>
+        <translation>Zusammenhängende Gerüstteile</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/law_field.py"/>
@@ -9352,6 +9568,7 @@
         <translation>Ein Gerüst in diesem Körper entwerfen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/building.py"/>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
         <source>Design rods</source>
         <translation>Stäbe entwerfen</translation>
@@ -9365,6 +9582,11 @@
         <location filename="../../freecad_trabecula/gui/doors.py"/>
         <source>Design the voxels</source>
         <translation>Die Voxel entwerfen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>Design voxels</source>
+        <translation>Voxel entwerfen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
@@ -9920,6 +10142,11 @@
         <translation>Ein kleines Projekt dieser Art in einem neuen Dokument öffnen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
+        <source>Open envelope</source>
+        <translation>Hüllkörper öffnen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Open job</source>
         <translation>Auftrag öffnen</translation>
@@ -10079,6 +10306,11 @@
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
         <source>Pore sizes</source>
         <translation>Porengrößen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>PoreSmallest and PoreLargest: {}; {:g} and {:g} mm are taken</source>
+        <translation>PoreSmallest und PoreLargest: {}; {:g} und {:g} mm werden genommen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -10663,12 +10895,17 @@
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
         <source>Take a bone or a design</source>
-        <translation>Einen Knochen oder Entwurf nehmen</translation>
+        <translation>Knochen oder Entwurf wählen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
         <source>Take a sample</source>
         <translation>Eine Probe nehmen</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/edits_list.py"/>
@@ -10832,6 +11069,11 @@
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Trabecula job</source>
         <translation>Trabecula-Auftrag</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>Trabecula's preferences: {}</source>
+        <translation>Einstellungen von Trabecula: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -11269,6 +11511,26 @@
         <translation>repariert</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must be a folder that is there</source>
+        <translation>muss ein vorhandener Ordner sein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must be a length above 0 mm</source>
+        <translation>muss eine Länge über 0 mm sein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must be the number of one of {}</source>
+        <translation>muss die Nummer eines von {} sein</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must lie in {}..{}</source>
+        <translation>muss in {}..{} liegen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
         <source>new prism</source>
         <translation>neues Prisma</translation>
@@ -11685,6 +11947,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
         <source>{} was written: {}</source>
         <translation>{} wurde geschrieben: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>{} {}, got {}; {} is taken</source>
+        <translation>{} {}, hier {}; {} wird genommen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/child_work.py"/>

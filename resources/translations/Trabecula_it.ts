@@ -24,6 +24,19 @@
         <translation>Assi dei piani: x, y, z, o una direzione come 0.6,0.8,0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <location filename="../../freecad_trabecula/features/envelope.py"/>
+        <location filename="../../freecad_trabecula/features/face_sites.py"/>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <location filename="../../freecad_trabecula/features/on_demand.py"/>
+        <location filename="../../freecad_trabecula/features/prism_sites.py"/>
+        <location filename="../../freecad_trabecula/features/scaffold.py"/>
+        <location filename="../../freecad_trabecula/features/voxel_design.py"/>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
         <source>Blocks keep volume and areas exactly; smooth keeps the volume</source>
         <translation>I blocchi conservano esattamente volume e aree; liscia conserva il volume</translation>
@@ -162,6 +175,11 @@
         <location filename="../../freecad_trabecula/features/face_sites.py"/>
         <source>Count of faces; points on the face and normals there</source>
         <translation>Numero di facce; punti sulla faccia e normali in essi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Couplings</source>
+        <translation>Accoppiamenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -364,6 +382,11 @@
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>Largest difference of one rod, %</source>
         <translation>Massima differenza di un'asta, %</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Layers</source>
+        <translation>Strati</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/voxel_design.py"/>
@@ -668,6 +691,11 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Paths</source>
+        <translation>Percorsi</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Paths of this coupling; none means those of the design</source>
         <translation>Percorsi di questo accoppiamento; nessuno significa quelli del progetto</translation>
     </message>
@@ -692,6 +720,11 @@
         <translation>I punti che piegano appena un contorno sono esclusi</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Pores</source>
+        <translation>Pori</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>Pores that overlap or reach over a border</source>
         <translation>Pori che si sovrappongono o superano un bordo</translation>
@@ -705,6 +738,16 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Random displacement of each corner, in sides of the square</source>
         <translation>Spostamento casuale di ogni vertice, in lati del quadrato</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/features/feature.py"/>
+        <source>Results</source>
+        <translation>Risultati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Rods</source>
+        <translation>Aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/solid_scaffold.py"/>
@@ -748,6 +791,11 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>Scaffold</source>
+        <translation>Scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Sections through which the surface of a solid rod is laid</source>
         <translation>Sezioni per le quali passa la superficie di un'asta solida</translation>
     </message>
@@ -776,6 +824,12 @@
         <location filename="../../freecad_trabecula/core/parameters.py"/>
         <source>Short name used in couplings and reports, e.g. A; none means the face's own (name)</source>
         <translation>Nome breve usato in accoppiamenti e relazioni, p. es. A; nessuno significa quello della faccia (name)</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <location filename="../../freecad_trabecula/features/wireframe.py"/>
+        <source>Sites</source>
+        <translation>Siti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -836,6 +890,12 @@
         <location filename="../../freecad_trabecula/features/wireframe.py"/>
         <source>Sizes of the rods' end sections, mm</source>
         <translation>Dimensioni delle sezioni di estremità delle aste, mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <location filename="../../freecad_trabecula/features/analysis.py"/>
+        <source>Slices</source>
+        <translation>Sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/analysis.py"/>
@@ -1099,6 +1159,11 @@
         <location filename="../../freecad_trabecula/features/network.py"/>
         <source>Volumes of the solids, mm^3</source>
         <translation>Volumi dei solidi, mm^3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
@@ -2284,6 +2349,13 @@
         <translation>un file PLY deve cominciare con la sua intestazione</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
+        <location filename="../../freecad_trabecula/core/field.py"/>
+        <location filename="../../freecad_trabecula/core/rays.py"/>
+        <source>a box must satisfy low &lt; high on every axis, got {} and {} mm</source>
+        <translation>per un riquadro deve valere basso &lt; alto su ogni asse, qui {} e {} mm</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>a cap of {} on {}</source>
         <translation>un massimo di {} per {}</translation>
@@ -2504,6 +2576,21 @@
         <translation>un file di strati si legge com'è: quote e intervallo non si possono scegliere</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>a folder must hold the report.json of design, analyse, compare or voxels, got {} with another record</source>
+        <translation>una cartella deve contenere il report.json di design, analyse, compare o voxels, qui {} con un altro contenuto</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>a folder must hold the report.json of design, analyse, compare or voxels, got {}, which holds no JSON: {}</source>
+        <translation>una cartella deve contenere il report.json di design, analyse, compare o voxels, qui {}, che non contiene JSON: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/html_report/sections.py"/>
+        <source>a folder must hold the report.json of design, analyse, compare or voxels, got {}: {}</source>
+        <translation>una cartella deve contenere il report.json di design, analyse, compare o voxels, qui {}: {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
         <source>a job must be JSON: {}</source>
         <translation>un lavoro deve essere JSON: {}</translation>
@@ -2542,6 +2629,11 @@
         <location filename="../../freecad_trabecula/core/laws.py"/>
         <source>a law's bounds must be finite numbers, got {} and {}</source>
         <translation>i limiti di una legge devono essere numeri finiti, qui {} e {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/laws.py"/>
+        <source>a law's bounds must satisfy low &lt;= high, got {} and {}</source>
+        <translation>per i limiti di una legge deve valere minimo &lt;= massimo, qui {} e {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -2709,6 +2801,11 @@
         <translation>una grandezza deve essere una di {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
+        <source>a range of layers must satisfy low &lt; high, got {}</source>
+        <translation>per un intervallo di strati deve valere basso &lt; alto, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/report.py"/>
         <source>a range only was sliced</source>
         <translation>è stato sezionato solo un intervallo</translation>
@@ -2732,6 +2829,11 @@
         <location filename="../../freecad_trabecula/geometry/rod_solids.py"/>
         <source>a rod's solid must have its mesh's volume within {}, got {} and {} mm3 for rod {}</source>
         <translation>il solido di un'asta deve avere il volume della sua mesh entro {}, qui {} e {} mm3 per l'asta {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/voxels/counting.py"/>
+        <source>a row must have 0 &lt;= v &lt;= N and voxels &gt;= 0, got {}</source>
+        <translation>per una riga deve valere 0 &lt;= v &lt;= N e voxel &gt;= 0, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/tables.py"/>
@@ -4861,6 +4963,11 @@
         <translation>nessuno strato ha questi {} voxel in colonne e {} in righe</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/table_pairs.py"/>
+        <source>no pair of tables was found in {} tries that alpha &lt;= {} and beta &lt;= {} allow: larger caps leave more room</source>
+        <translation>in {} tentativi non si è trovata una coppia di tabelle ammessa da alfa &lt;= {} e beta &lt;= {}: limiti maggiori lasciano più spazio</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/masked_tables.py"/>
         <source>no pair of tables was found within the mask in {} tries{}; strategy trabecular, which needs no tables, may find a design</source>
         <translation>nella maschera non si è trovata una coppia di tabelle in {} tentativi{}; la strategia trabecolare, che non richiede tabelle, può trovare un progetto</translation>
@@ -6124,6 +6231,11 @@
         <translation>tiro della tangente</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
+        <source>targets are read from {}, .csv, .json, the folder of an analysis or a folder of images, got {}</source>
+        <translation>gli obiettivi si leggono da {}, .csv, .json, dalla cartella di un'analisi o da una cartella di immagini, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
         <source>targets of {} layers do not fit a field of {}</source>
         <translation>obiettivi di {} strati non si accordano con un campo di {}</translation>
@@ -6169,6 +6281,11 @@
         <location filename="../../freecad_trabecula/core/analysis/morphometry.py"/>
         <source>the body could not be measured as a whole: {}</source>
         <translation>il corpo non si è potuto misurare nel suo insieme: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/core/parameters.py"/>
+        <source>the border distance along {} must satisfy 0 &lt;= a &lt; edge / 2 = {} mm, got {}</source>
+        <translation>per la distanza dal bordo lungo {} deve valere 0 &lt;= a &lt; spigolo / 2 = {} mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -8866,6 +8983,104 @@
     </message>
 </context>
 <context>
+    <name>Labels</name>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Analysis {}</source>
+        <translation>Analisi {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Bone</source>
+        <translation>Osso</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Channels</source>
+        <translation>Canali</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Envelope</source>
+        <translation>Involucro</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Example_measure</source>
+        <translation>Esempio_misura</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Example_rods</source>
+        <translation>Esempio_aste</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Example_voxels</source>
+        <translation>Esempio_voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Layers of {}</source>
+        <translation>Strati di {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Loose</source>
+        <translation>Pezzi staccati</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Network</source>
+        <translation>Rete</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Scaffold</source>
+        <translation>Scaffold</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Sites</source>
+        <translation>Siti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Sites {}</source>
+        <translation>Siti {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>SolidScaffold</source>
+        <translation>Scaffold solido</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Specimen {}</source>
+        <translation>Provino {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Voids</source>
+        <translation>Vuoti</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Voxels of drawn curves</source>
+        <translation>Voxel da curve disegnate</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Voxels {}</source>
+        <translation>Voxel {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/labels.py"/>
+        <source>Wireframe</source>
+        <translation>Telaio</translation>
+    </message>
+</context>
+<context>
     <name>Trabecula</name>
     <message>
         <location filename="../../freecad_trabecula/gui/rod_dock.py"/>
@@ -8963,6 +9178,7 @@
         <translation>Tutti i modi di lavorare</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/analysing.py"/>
         <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
         <source>Analyse</source>
         <translation>Analizza</translation>
@@ -9352,6 +9568,7 @@
         <translation>Progetta uno scaffold in questo corpo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/building.py"/>
         <location filename="../../freecad_trabecula/gui/design_panel.py"/>
         <source>Design rods</source>
         <translation>Progetta aste</translation>
@@ -9365,6 +9582,11 @@
         <location filename="../../freecad_trabecula/gui/doors.py"/>
         <source>Design the voxels</source>
         <translation>Progetta i voxel</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>Design voxels</source>
+        <translation>Progetta voxel</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_dock.py"/>
@@ -9920,6 +10142,11 @@
         <translation>Aprire un piccolo progetto di questo tipo, in un nuovo documento</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
+        <source>Open envelope</source>
+        <translation>Apri involucro</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Open job</source>
         <translation>Apri lavoro</translation>
@@ -10079,6 +10306,11 @@
         <location filename="../../freecad_trabecula/gui/results_panel.py"/>
         <source>Pore sizes</source>
         <translation>Dimensioni dei pori</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>PoreSmallest and PoreLargest: {}; {:g} and {:g} mm are taken</source>
+        <translation>PoreSmallest e PoreLargest: {}; si prendono {:g} e {:g} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/design_form.py"/>
@@ -10671,6 +10903,11 @@
         <translation>Prendi un campione</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/site_panel.py"/>
+        <source>Take back</source>
+        <translation>Annulla modifica</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/edits_list.py"/>
         <source>Take the chosen change back</source>
         <translation>Annullare la modifica scelta</translation>
@@ -10832,6 +11069,11 @@
         <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
         <source>Trabecula job</source>
         <translation>Lavoro di Trabecula</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>Trabecula's preferences: {}</source>
+        <translation>Preferenze di Trabecula: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/analysis_plots.py"/>
@@ -11269,6 +11511,26 @@
         <translation>riparate</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must be a folder that is there</source>
+        <translation>deve essere una cartella esistente</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must be a length above 0 mm</source>
+        <translation>deve essere una lunghezza maggiore di 0 mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must be the number of one of {}</source>
+        <translation>deve essere il numero di uno tra {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>must lie in {}..{}</source>
+        <translation>deve stare in {}..{}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
         <source>new prism</source>
         <translation>nuovo prisma</translation>
@@ -11685,6 +11947,11 @@
         <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
         <source>{} was written: {}</source>
         <translation>{} è stato scritto: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/preferences.py"/>
+        <source>{} {}, got {}; {} is taken</source>
+        <translation>{} {}, qui {}; si prende {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/child_work.py"/>

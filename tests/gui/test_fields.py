@@ -6,7 +6,7 @@ import unittest
 from dataclasses import replace
 
 from PySide import QtCore
-from window import type_into
+from window import settle, type_into
 
 from freecad_trabecula.core.laws import Law, constant, uniform
 from freecad_trabecula.core.parameters import (
@@ -206,3 +206,25 @@ class FieldTest(unittest.TestCase):
         for size, turns in ((-1.0, (0.1,) * 4), (0.5, (2.0,) * 4), (0.5, ()), (float("nan"), (0.1,) * 4)):
             drawing.set_pore(PoreParameters(), size, turns)
             self.assertIs(drawing._curve, before)
+
+
+class TypedTest(unittest.TestCase):
+    def test_a_comma_is_a_point_in_an_english_window(self):
+        for unit in ("mm", ""):
+            field = NumberField(unit, 0.1, nothing)
+            for text, value in (("0,5", 0.5), ("0.5", 0.5), ("1,125", 1.125)):
+                field.set_value(0.3)
+                type_into(field.widget, text)
+                self.assertAlmostEqual(field.value(), value, places=9, msg=(unit, text))
+
+    def test_a_new_field_answers_though_somebody_holds_those_of_closed_panels(self):
+        held = [NumberField("mm", 0.1, nothing) for _ in range(40)]
+        for one in held:
+            one.widget.deleteLater()
+        settle(0.2)
+        heard = []
+        for number in range(40):
+            field = NumberField("mm", 0.1, lambda number=number: heard.append(number))
+            field.set_value(0.5 + number)
+            held.append(field)
+        self.assertEqual(sorted(set(heard)), list(range(40)))

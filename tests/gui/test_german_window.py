@@ -10,7 +10,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
-from window import WindowTest, settle, type_into
+from window import WindowTest, press, settle, type_into
 from words import choices_of, command_texts, english_in, label_texts
 
 from freecad_trabecula import make
@@ -114,6 +114,35 @@ class NumberTest(unittest.TestCase):
             field.set_value(0.03)
             type_into(field.widget, typed)
             self.assertAlmostEqual(field.value(), wanted, places=12, msg=typed)
+
+    def test_a_point_that_is_typed_is_a_comma(self):
+        wanted = {"0.5": 0.5, "1.25": 1.25, "1.125": 1.125, "12,5": 12.5, "2,": 2.0}
+        lengths = {"0.5 mm": 0.5, "500 µm": 0.5, "0.25 cm": 2.5, "0.5*3 mm": 1.5}
+        for unit, typed in (("mm", {**wanted, **lengths}), ("", wanted)):
+            field = NumberField(unit, 0.1, nothing)
+            for text, value in typed.items():
+                field.set_value(0.3)
+                type_into(field.widget, text)
+                self.assertAlmostEqual(field.value(), value, places=9, msg=(unit, text))
+
+    def test_thousands_that_are_pasted_may_be_parted_by_either_sign_or_a_blank(self):
+        wanted = {
+            "1.234,5": "1.234,5",
+            "1,234.5": "1.234,5",
+            "1 234,5": "1234,5",
+            "1.234.567": "1.234.567",
+            "a.b": "a.b",
+        }
+        for text, meant in wanted.items():
+            self.assertEqual(language.typed_numbers(text), meant)
+        for unit in ("mm", ""):
+            field = NumberField(unit, 0.1, nothing)
+            line = field.widget.findChild(QtGui.QLineEdit)
+            QtGui.QApplication.clipboard().setText("1.234,5")
+            line.selectAll()
+            line.paste()
+            press(line, QtCore.Qt.Key_Return)
+            self.assertAlmostEqual(field.value(), 1234.5, places=9, msg=unit)
 
     def test_labels_have_commas(self):
         self.assertEqual(language.local_number(0.5), "0,5")

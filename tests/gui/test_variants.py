@@ -37,6 +37,8 @@ class VariantsTest(WindowTest):
     def test_one_click_shows_ten_with_pictures_and_spread_and_one_is_taken_in_one_step(self):
         wireframe = make.make_design(self.document, preset("case1")).wireframe
         found = self.start()
+        heads = [found.table.horizontalHeaderItem(k).text() for k in range(found.table.columnCount())]
+        self.assertEqual((found.table.rowCount(), heads), (0, ["Seed"]))  # until the first result
         self.assertTrue(wait(lambda: found.variants is not None, 120), found.message.text())
         self.assertEqual(found.table.rowCount(), USUAL)
         self.assertFalse(found.table.item(0, 0).icon().isNull())
