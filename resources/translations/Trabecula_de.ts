@@ -1324,7 +1324,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>best-tables</source>
-        <translation>beste zu Tabellen</translation>
+        <translation>beste Tabellen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -6233,7 +6233,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
         <source>targets are read from {}, .csv, .json, the folder of an analysis or a folder of images, got {}</source>
-        <translation>Ziele werden aus {}, .csv, .json, dem Ordner einer Analyse oder einem Ordner mit Bildern gelesen, hier {}</translation>
+        <translation>Zielwerte werden aus {}, .csv, .json, dem Ordner einer Analyse oder einem Ordner mit Bildern gelesen, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/plane_offsets.py"/>
@@ -12341,8 +12341,8 @@
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
-        <source>Open the start panel with the workbench</source>
-        <translation>Das Startfenster mit dem Arbeitsbereich öffnen</translation>
+        <source>Open the guide with the workbench</source>
+        <translation>Den Leitfaden mit dem Arbeitsbereich öffnen</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -12437,7 +12437,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>best for tables</source>
-        <translation>beste zu Tabellen</translation>
+        <translation>beste Tabellen</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -12769,32 +12769,32 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula help</source>
-        <translation>Trabecula Hilfe</translation>
+        <translation>Trabecula: Hilfe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula rods</source>
-        <translation>Trabecula Stäbe</translation>
+        <translation>Trabecula: Stäbe</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula seeing</source>
-        <translation>Trabecula Ansicht</translation>
+        <translation>Trabecula: Ansicht</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula slices</source>
-        <translation>Trabecula Schnitte</translation>
+        <translation>Trabecula: Schnitte</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula study</source>
-        <translation>Trabecula Untersuchung</translation>
+        <translation>Trabecula: Untersuchung</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula voxels</source>
-        <translation>Trabecula Voxel</translation>
+        <translation>Trabecula: Voxel</translation>
     </message>
 </context>
 </TS>

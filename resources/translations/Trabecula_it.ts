@@ -1324,7 +1324,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/voxels/parameters.py"/>
         <source>best-tables</source>
-        <translation>migliori da tabelle</translation>
+        <translation>migliori tabelle</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/voxel_form.py"/>
@@ -12341,8 +12341,8 @@
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
-        <source>Open the start panel with the workbench</source>
-        <translation>Aprire il pannello iniziale con l'ambiente</translation>
+        <source>Open the guide with the workbench</source>
+        <translation>Aprire la guida con l'ambiente</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -12437,7 +12437,7 @@
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
         <source>best for tables</source>
-        <translation>migliori da tabelle</translation>
+        <translation>migliori tabelle</translation>
     </message>
     <message>
         <location filename="../../resources/ui/preferences.ui"/>
@@ -12769,32 +12769,32 @@
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula help</source>
-        <translation>Trabecula aiuto</translation>
+        <translation>Trabecula: aiuto</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula rods</source>
-        <translation>Trabecula aste</translation>
+        <translation>Trabecula: aste</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula seeing</source>
-        <translation>Trabecula vista</translation>
+        <translation>Trabecula: vista</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula slices</source>
-        <translation>Trabecula sezioni</translation>
+        <translation>Trabecula: sezioni</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula study</source>
-        <translation>Trabecula studio</translation>
+        <translation>Trabecula: studio</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/commands.py"/>
         <source>Trabecula voxels</source>
-        <translation>Trabecula voxel</translation>
+        <translation>Trabecula: voxel</translation>
     </message>
 </context>
 </TS>
