@@ -19,7 +19,7 @@ from .curve_view import CurveView
 from .fields import NumberField, row_widget
 from .language import in_words, local_number
 from .object_choice import ObjectChoice
-from .qt import Buttons, run_dialog
+from .qt import Buttons, run_dialog, word_colour
 from .transactions import told
 
 translate = FreeCAD.Qt.translate
@@ -152,7 +152,7 @@ class CurveDialog(QtGui.QDialog):
 
     def _refuse(self, text: str) -> None:
         """Say why a change was not made."""
-        self.message.setText(f'<span style="color:{_BAD}">{in_words(text)}</span>')
+        self.message.setText(f'<span style="color:{word_colour(_BAD)}">{in_words(text)}</span>')
 
 
 def ask_for_curves(curves: Optional[DrawnCurves], analyses: Sequence[Any]) -> Optional[DrawnCurves]:

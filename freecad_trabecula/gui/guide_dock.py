@@ -16,7 +16,7 @@ from .doors import DOORS, LATER, NEXT, OPEN, Door, Marked, Seen, door_of, marked
 from .example_projects import open_example
 from .outcome import GREEN, RED
 from .preferences import GROUP, preference
-from .qt import help_buttons, icon, invoke_later, is_alive
+from .qt import help_buttons, icon, invoke_later, is_alive, word_colour
 from .status_work import is_working
 from .transactions import say, told
 from .voxel_dock import voxel_dock
@@ -100,7 +100,7 @@ def _words(one: Marked) -> str:
         text, colour = translate("Trabecula", "Being computed …"), GREEN
     else:
         return one.step.text
-    return f'<span style="color:{colour}">{text}</span>'
+    return f'<span style="color:{word_colour(colour)}">{text}</span>'
 
 
 class GuideDock(QtGui.QDockWidget):

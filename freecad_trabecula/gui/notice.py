@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from .qt import paper_and_ink, small_button
+from .qt import paper_and_ink, small_button, word_colour
 
 translate = FreeCAD.Qt.translate
 _MOST, _AWAY = 4, 14  # notices at once; pixels from the corner
@@ -130,7 +130,7 @@ class _Row(QtGui.QWidget):
         self.document = document
         self.label = QtGui.QLabel(text)
         mark = QtGui.QLabel("\N{BLACK CIRCLE}")
-        mark.setStyleSheet(f"color: {_GOOD if is_good else _BAD}")
+        mark.setStyleSheet(f"color: {word_colour(_GOOD if is_good else _BAD)}")
         self.show_button = QtGui.QPushButton(translate("Trabecula", "Show"))
         self.show_button.clicked.connect(lambda *_: (drop(self), show()))
         self.close_button = small_button(

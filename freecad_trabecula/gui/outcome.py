@@ -14,6 +14,7 @@ from .language import filled, in_words, local_number
 from .legend import LegendWidget
 from .preview import COLOURINGS
 from .preview_worker import Estimate, Outline
+from .qt import word_colour
 
 translate = FreeCAD.Qt.translate
 #: Readable on light and on dark themes.
@@ -108,7 +109,7 @@ class Outcome(QtGui.QWidget):
 
     def _say(self, text: str, colour: str) -> None:
         lines = escape(text).replace("\n", "<br>")
-        self.message.setText(f'<span style="color:{colour}">{lines}</span>')
+        self.message.setText(f'<span style="color:{word_colour(colour)}">{lines}</span>')
         self.message.setVisible(bool(text))
 
 

@@ -19,7 +19,7 @@ from ..errors import ParameterError, TrabeculaError
 from .fields import row_widget
 from .language import in_words
 from .propagation_view import PropagationView
-from .qt import small_button
+from .qt import small_button, word_colour
 
 translate = FreeCAD.Qt.translate
 #: Shown when there is no design: six columns and six rows that go together.
@@ -164,7 +164,7 @@ class PropagationDialog(QtGui.QDialog):
         self.view.show_step(self.steps, number, rows_are_solved)
         for label, words, holds in zip(self.conditions, _conditions(step), (step.condition_6_21, step.condition_6_22)):
             answer = translate("Trabecula", "true") if holds else translate("Trabecula", "false")
-            label.setText(f'{words}: <b style="color:{_TRUE if holds else _FALSE}">{answer}</b>')
+            label.setText(f'{words}: <b style="color:{word_colour(_TRUE if holds else _FALSE)}">{answer}</b>')
         self.words.setText(self._told(step, number, rows_are_solved))
 
     def _told(self, step: Step, number: int, rows_are_solved: bool) -> str:

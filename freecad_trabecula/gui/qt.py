@@ -16,6 +16,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from . import language  # its translations come before the first text
+from .contrast import readable
 from .help_pages import CONTENTS, GLOSSARY
 
 translate = FreeCAD.Qt.translate
@@ -266,6 +267,11 @@ def paper_and_ink() -> Tuple[Any, Any]:
     """
     paper = FreeCADGui.getMainWindow().palette().color(QtGui.QPalette.Base)
     return paper, QtGui.QColor(235, 235, 235) if paper.lightness() < 128 else QtGui.QColor(25, 25, 25)
+
+
+def word_colour(code: str) -> str:
+    """Return a colour as light or dark as words need it in the theme of the window."""
+    return readable(code, paper_and_ink()[0].getRgb()[:3])
 
 
 def invoke_later(function: Any, milliseconds: int = 0) -> None:

@@ -21,7 +21,7 @@ from .histogram import Histogram
 from .language import in_words, local_number
 from .looks import look_of
 from .outcome import GREEN, ORANGE, RED
-from .qt import PanelForm, icon
+from .qt import PanelForm, icon, word_colour
 from .tables import fill, table
 from .task_panels import DocumentPanel, is_free, show_panel, while_open, wireframes
 from .transactions import told
@@ -94,7 +94,7 @@ class ResultsPanel(DocumentPanel):
         obj = self.wireframe
         self.headline.setText(f"<b>{headline(obj)}</b>")
         notes = notes_of(obj)
-        self.notes.setText(f'<span style="color:{ORANGE}">' + "<br>".join(map(escape, notes)) + "</span>")
+        self.notes.setText(f'<span style="color:{word_colour(ORANGE)}">' + "<br>".join(map(escape, notes)) + "</span>")
         self.notes.setVisible(bool(notes))
         self._offer_bodies()
         names = (translate("Trabecula", "Quantity"), translate("Trabecula", "Value"), "")
@@ -154,7 +154,7 @@ class ResultsPanel(DocumentPanel):
 
 def check_text(row: Checked) -> str:
     """Return a check as HTML: green if it holds, red if not."""
-    sign, colour = ("✓", GREEN) if row.ok else ("✗", RED)
+    sign, colour = ("✓", word_colour(GREEN)) if row.ok else ("✗", word_colour(RED))
     return f'<p style="margin:3px"><b style="color:{colour}">{sign} {escape(row.name)}</b><br>{escape(row.found)}</p>'
 
 

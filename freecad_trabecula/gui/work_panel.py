@@ -15,7 +15,7 @@ from .document_work import Listener, ObjectWork, Order
 from .language import in_words
 from .notice import tell_of
 from .outcome import RED
-from .qt import Buttons, PanelForm
+from .qt import Buttons, PanelForm, word_colour
 from .task_panels import DocumentPanel, while_open
 from .transactions import told
 
@@ -85,7 +85,7 @@ class WorkPanel(DocumentPanel):
 
     def refuse(self, error: TrabeculaError) -> None:
         """Show what is wrong."""
-        self.message.setText(f'<span style="color:{RED}">{escape(in_words(str(error)))}</span>')
+        self.message.setText(f'<span style="color:{word_colour(RED)}">{escape(in_words(str(error)))}</span>')
 
     # ------------------------------------------------------------------------------------------------------ the work
 
