@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from functools import reduce
-from typing import Any, NamedTuple, Sequence
+from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 import Part
@@ -30,6 +30,7 @@ from ..core.voxels.design import estimate
 from ..core.voxels.parameters import VoxelParameters
 from ..core.wireframe import skin
 from ..geometry.design import design_draft
+from . import results
 from .analysis import Analysis
 from .analysis import Inputs as AnalysisInputs
 from .analysis_source import body_of_source, reading_of_source
@@ -43,6 +44,7 @@ from .variants import scaffold_parameters
 from .voxel_design import VoxelDesign, voxel_design_of
 from .voxel_inputs import sample_of
 from .voxel_makers import estimate_voxel_design
+from .wireframe import Wireframe, recall
 
 
 def work_of(objects: Sequence[Any]) -> Work:
@@ -68,8 +70,8 @@ def work_of(objects: Sequence[Any]) -> Work:
     if is_a(first, VoxelDesign):
         return voxel_work(estimate_voxel_design(sample_of(first), read_parameters(first, VoxelParameters)))
     parts = [] if first.ResultKey == first.Proxy.key(first) else [design_work(first.Rods, len(first.Recoveries))]
-    if first.Rods and len(objects) > 1:
-        rods = _rods_of(first)
+    rods = _rods_of(first) if len(objects) > 1 else None
+    if rods is not None:
         parts += [_network(rods) for obj in objects[1:] if is_a(obj, Network)]
         parts += [_scaffold(rods, read_parameters(obj, ScaffoldParameters)) for obj in objects if is_a(obj, Scaffold)]
     return reduce(Work.and_then, parts, Work(0.0))
@@ -97,10 +99,14 @@ class _Rods(NamedTuple):
     high: Sequence[float]
 
 
-def _rods_of(wireframe: Any) -> _Rods:
-    """The rods that a wireframe shows."""
-    box, value = wireframe.Envelope.Shape.BoundBox, wireframe.Proxy.wireframe(wireframe)
-    mesh = rod_mesh(skin(value, wireframe.Proxy.parameters(wireframe).rods), value.mean_size)
+def _rods_of(wireframe: Any) -> Optional[_Rods]:
+    """The rods that a wireframe shows, whatever its inputs are by now; None if it shows none. Nothing is computed."""
+    recall(wireframe)
+    shown = results.find(Wireframe.KIND, wireframe.ResultKey)
+    if shown is None or not len(shown.wireframe):
+        return None
+    box, rods = wireframe.Envelope.Shape.BoundBox, wireframe.Proxy.parameters(wireframe).rods
+    mesh = rod_mesh(skin(shown.wireframe, rods), shown.wireframe.mean_size)
     return _Rods(*mesh, (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax))
 
 
@@ -124,9 +130,9 @@ def variants_work(obj: Any, count: int, by: str = RAYS) -> Work:
         layers = voxel_design_of(obj).voxels.shape[::-1]
         return voxel_variant_work(estimate(layers, read_parameters(obj, VoxelParameters).strategy)).times(count)
     faulty = len(obj.Recoveries)
-    if by == SCAFFOLD and obj.Rods:
-        cut = _scaffold(_rods_of(obj), scaffold_parameters(obj))
-        return design_work(obj.Rods, faulty).and_then(cut).times(count)
+    rods = _rods_of(obj) if by == SCAFFOLD else None
+    if rods is not None:
+        return design_work(obj.Rods, faulty).and_then(_scaffold(rods, scaffold_parameters(obj))).times(count)
     return rod_variant_work(obj.Rods, faulty).times(count)
 
 

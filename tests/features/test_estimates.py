@@ -105,6 +105,14 @@ class RecomputeEstimateTest(DocumentCase):
         own = work_of([wireframe]).seconds
         self.assertGreater(own, 0.0)
         self.assertAlmostEqual(work_of([wireframe, network, scaffold]).seconds, own + bodies[2])
+        self.assertIsNone(results.find("wireframe", wireframe.Proxy.key(wireframe)), "it was computed to be estimated")
+
+    def test_bodies_of_a_wireframe_that_shows_nothing_are_not_counted(self):
+        design = make.make_design(self.document, preset("case1"), ("scaffold",))
+        results.clear()
+        design.wireframe.ResultKey = ""
+        rods_alone = work_of([design.wireframe]).seconds
+        self.assertEqual(work_of([design.wireframe, design.scaffold]).seconds, rods_alone)
 
     def test_what_cannot_be_computed_has_no_estimate(self):
         obj = make.make_analysis(self.document, make.make_box(self.document, 1, 2, 3), SliceParameters(thickness=1.0))
