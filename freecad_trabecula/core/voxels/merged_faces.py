@@ -71,11 +71,12 @@ def _rectangles(faces: np.ndarray, apart: Optional[int]) -> np.ndarray:
 
     ``apart``: 0, each lies in one column; 1, each lies in one row.
     """
-    along = _merged_runs(faces, apart is None) if apart != 0 else None
-    across = _merged_runs(faces.transpose(0, 2, 1), apart is None) if apart != 1 else None
-    if across is None or (along is not None and len(along) <= len(across)):
-        return along
-    return across[:, [0, 3, 4, 1, 2]]
+    found = []
+    if apart != 0:
+        found.append(_merged_runs(faces, apart is None))
+    if apart != 1:
+        found.append(_merged_runs(faces.transpose(0, 2, 1), apart is None)[:, [0, 3, 4, 1, 2]])
+    return min(found, key=len)
 
 
 def _merged_runs(faces: np.ndarray, merges_rows: bool) -> np.ndarray:
