@@ -14,6 +14,7 @@ from ..core.explanations.registry import explanation
 from ..errors import TrabeculaError
 from .figures import with_powers
 from .language import in_words
+from .qt import paper_and_ink
 
 translate = FreeCAD.Qt.translate
 WIDTH = 430  # pixels
@@ -71,7 +72,10 @@ class WhyPopup(QtGui.QLabel):
         self.setOpenExternalLinks(True)
         self.setWordWrap(True)
         self.setMargin(10)
-        self.setFrameStyle(QtGui.QFrame.Box | QtGui.QFrame.Plain)
+        paper, ink = (
+            colour.name() for colour in paper_and_ink()
+        )  # a dark theme's letters are light, a label's ground none
+        self.setStyleSheet(f"QLabel {{ background: {paper}; color: {ink}; border: 1px solid {ink}; }}")
         self.setFixedWidth(WIDTH)
         self.setFixedHeight(self.heightForWidth(WIDTH))
 

@@ -2,7 +2,9 @@
 """Why? in the window: every number that the panels show has its explanation, and a click tells it with both routes."""
 
 import unittest
+from unittest import mock
 
+import FreeCADGui
 from PySide import QtCore, QtGui
 from window import WindowTest, settle, wait
 
@@ -12,7 +14,7 @@ from freecad_trabecula.core.booleans import manifold_available
 from freecad_trabecula.core.explanations.registry import explanation
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.core.voxels.parameters import VoxelParameters
-from freecad_trabecula.gui import analysis_plots, panels, voxel_figures, voxel_layers
+from freecad_trabecula.gui import analysis_plots, panels, voxel_figures, voxel_layers, why
 from freecad_trabecula.gui.analysis_dock import dock_of_window, show_analyses
 from freecad_trabecula.gui.figures import figures_of
 from freecad_trabecula.gui.voxel_dock import show_layers, voxel_dock
@@ -130,3 +132,13 @@ class WhyTest(WindowTest):
         self.assertTrue(wait(popups, 5))
         self.assertIn("thesis Eq. 6.1", popups()[0].text())
         popups()[0].close()
+
+    def test_it_has_the_ground_and_the_letters_of_the_theme(self):
+        dark = QtGui.QColor(35, 38, 41), QtGui.QColor(235, 235, 235)
+        with mock.patch.object(why, "paper_and_ink", lambda: dark):
+            popup = WhyPopup("why", FreeCADGui.getMainWindow())
+        picture = popup.grab().toImage()
+        self.assertEqual(picture.pixelColor(4, 4).getRgb(), dark[0].getRgb())
+        shades = {picture.pixelColor(x, y).lightness() for x in range(12, 60) for y in range(5, picture.height() - 5)}
+        self.assertGreater(max(shades), 180)  # letters
+        popup.close()
