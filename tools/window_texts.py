@@ -9,8 +9,9 @@ Texts are ordered by their context, as Qt has it:
 * ``App::Property``: what a property or a field of a panel is (its tooltip), of parameter classes and features;
 * ``Labels``: labels of new objects (``gui/labels.py``);
 * ``Choices``: the words of combo boxes, which documents and files keep as they stand in the code;
-* ``Core``: what core, geometry and features say: refusals, states, notes, names of measures, steps of long work. Of an
-  f-string the template is kept, with ``{}`` for each value; ``gui/language.py`` finds it again when a message is shown;
+* ``Core``: what core, geometry and features say, and what gui refuses: refusals, states, notes, names of measures,
+  steps of long work. Of an f-string the template is kept, with ``{}`` for each value; ``gui/language.py`` finds it
+  again when a message is shown;
 * the class of a form in ``resources/ui``: its labels and tooltips.
 
 Of the package only the modules of parameters are run, with a stand-in for FreeCAD: any Python with numpy can do it.
@@ -225,6 +226,9 @@ def _below() -> Iterator[Tuple[Text, str]]:
     for file, tree in _modules(*BELOW):
         speech = Page(tree) if file.endswith(PAGES) else Speech(tree, is_written=file.endswith(WRITTEN))
         for template in speech.templates:
+            yield Text("Core", template), file
+    for file, tree in _modules("gui"):  # its own refusals; all else that it says is marked
+        for template in Speech(tree, is_written=True).templates:
             yield Text("Core", template), file
 
 

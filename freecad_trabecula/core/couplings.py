@@ -85,7 +85,9 @@ def _check(coupling: Coupling, sites: Dict[str, Sites]) -> None:
         if name not in sites:
             raise ParameterError(f"a coupling must join faces that have sites ({', '.join(sites)}), got {name!r}")
         if not sites[name].on.any():
-            raise ParameterError(f"a coupled face must have at least 1 site, got 0 on face {name}")
+            raise ParameterError(
+                f"a coupled face must have at least 1 site, got 0 on face {name}: less spacing or border"
+            )
     if coupling.first == coupling.second and sites[coupling.first].flat:
         raise ParameterError(
             f"a face can be coupled with itself only if it is curved: rods of the flat face {coupling.first} "

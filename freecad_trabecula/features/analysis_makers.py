@@ -20,6 +20,7 @@ from ..geometry.sections import exact_areas
 from .analysis import Analysis, analysis_of, write_slice_parameters
 from .arguments import given_in, given_object, given_objects, given_value
 from .base import read_parameters
+from .containers import place_beside
 from .feature import is_a, update
 from .makers import add, all_or_nothing
 from .network import Network
@@ -83,6 +84,7 @@ def make_analysis(
             obj.File, obj.Unit, obj.Envelope = source, unit, envelope
             obj.Label = f"Analysis {Path(source).stem}"
         else:
+            place_beside(obj, source)
             obj.Source, obj.Envelope = source, envelope
             obj.Label = f"Analysis {source.Label}"
         write_slice_parameters(obj, parameters or default_parameters(None if is_file else source))

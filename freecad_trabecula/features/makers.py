@@ -20,6 +20,7 @@ from ..geometry.envelopes import load_envelope
 from ..views import attach_view
 from .arguments import given_document, given_in, given_object, given_objects, given_value
 from .base import lines_of, write_parameters
+from .containers import place_beside
 from .envelope import fill
 from .face_sites import FaceSites
 from .feature import is_a, update
@@ -59,10 +60,12 @@ def _values(obj: Any) -> Dict[str, Any]:
 
 
 def add(document: FreeCAD.Document, cls: type, name: str, kind: str = "Part::FeaturePython", **properties: Any) -> Any:
-    """Add an object of one of our classes with some properties set; it is not computed yet."""
+    """Add an object of one of our classes with some properties set, beside what it is made of; not computed yet."""
     obj = document.addObject(kind, name)
     cls(obj)
     for key, value in properties.items():
+        if isinstance(value, FreeCAD.DocumentObject):
+            place_beside(obj, value)
         setattr(obj, key, value)
     attach_view(obj)  # its look may depend on them
     return obj
@@ -150,6 +153,7 @@ def make_face_sites(envelope: Any, parameters: FaceParameters) -> Any:
     given_value(parameters, FaceParameters)
     with all_or_nothing(document):
         sites = add(document, FaceSites, f"Sites_{parameters.label}")
+        place_beside(sites, envelope)
         sites.Label = f"Sites {parameters.label}"
         sites.Face = (envelope, [parameters.face])
         write_parameters(sites, parameters)

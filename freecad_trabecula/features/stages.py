@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, List, NamedTuple, Sequence
 
+from .bodies import is_body, wholes
 from .feature import ERROR
 from .on_demand import COMPUTING
 from .relations import products_of, type_of, wireframe_of
@@ -32,6 +33,8 @@ class Stages(NamedTuple):
     analyses : list of document objects
     of_scaffold, of_voxels, of_bone : document object
         Analyses of the designs, and the first of anything else, such as bone.
+    chosen : list of document objects
+        Bodies that are selected: they come before others.
     """
 
     bodies: List[Any]
@@ -43,13 +46,15 @@ class Stages(NamedTuple):
     of_scaffold: Any
     of_voxels: Any
     of_bone: Any
+    chosen: List[Any]
 
     @property
     def bones(self) -> List[Any]:
-        """Bodies that no design fills and no analysis measures yet."""
+        """Bodies that no design fills and no analysis measures yet, selected ones first."""
         filled = self.wireframe.Envelope if self.wireframe is not None else None
         measured = [one.Source for one in self.analyses]
-        return [body for body in self.bodies if body is not filled and body not in measured]
+        found = [body for body in self.bodies if body is not filled and body not in measured]
+        return sorted(found, key=lambda body: body not in self.chosen)
 
 
 def _last(objects: Sequence[Any], chosen: Sequence[Any] = ()) -> Any:
@@ -71,7 +76,7 @@ def stages_of(document: Any, chosen: Sequence[Any] = ()) -> Stages:
     def of(kind: str) -> List[Any]:
         return [obj for obj, its in zip(objects, kinds) if its == kind]
 
-    bodies = [obj for obj, its in zip(objects, kinds) if not its and _is_body(obj)]
+    bodies = [obj for obj, its in zip(objects, kinds) if not its and is_body(obj)]
     wireframe = _last(of(WIREFRAME), [wireframe_of(obj) for obj in chosen if type_of(obj)])
     voxels, analyses = _last(of(VOXELS), chosen), of(ANALYSIS)
     products = sorted(products_of(wireframe), key=_worth) if wireframe is not None else []
@@ -91,22 +96,13 @@ def stages_of(document: Any, chosen: Sequence[Any] = ()) -> Stages:
         analysis(lambda source: scaffold is not None and source in products),
         analysis(lambda source: voxels is not None and source is voxels),
         next((one for one in analyses if one.Source not in ours), None),
+        [body for body in wholes(chosen) if body in bodies],
     )
 
 
 def _worth(product: Any) -> int:
     """What is analysed first: the scaffold as a mesh, as a solid, the network."""
     return ("scaffold", "solid", "network").index(product.Proxy.KIND)
-
-
-def _is_body(obj: Any) -> bool:
-    """Whether an object that is not ours is a solid or a mesh: a cheap look, no check."""
-    mesh = getattr(obj, "Mesh", None)
-    if mesh is not None and hasattr(mesh, "CountFacets"):
-        return mesh.CountFacets > 0
-    if not obj.isDerivedFrom("Part::Feature"):
-        return False
-    return not obj.Shape.isNull() and obj.Shape.ShapeType in ("Solid", "CompSolid", "Compound")
 
 
 def state_of(obj: Any) -> str:

@@ -26,6 +26,7 @@ from .analysis import Analysis, analysis_of
 from .analysis_source import file_source, object_source, soup_of_source
 from .arguments import given_in, given_numbers, given_object, given_value
 from .base import write_parameters
+from .containers import place_beside
 from .feature import is_a, update
 from .makers import add, all_or_nothing
 from .voxel_design import VoxelDesign, check_surface, voxel_design_of
@@ -87,6 +88,7 @@ def make_voxel_design(
         elif isinstance(source, str):
             obj.File, obj.Label = source, f"Voxels {Path(source).stem}"
         else:
+            place_beside(obj, source)
             obj.Source, obj.Label = source, f"Voxels {source.Label}"
         write_parameters(obj, parameters or VoxelParameters())
         obj.Alpha, obj.Beta = flat_tables(tables) or ((), ())
@@ -206,6 +208,7 @@ def make_layer_shapes(obj: Any, layers: Sequence[int], solid: bool = False, prog
     shape = make(design.voxels, design.targets.voxel, design.targets.origin, given_numbers(layers), progress)
     with all_or_nothing(obj.Document):
         found = obj.Document.addObject("Part::Feature", "Layers")
+        place_beside(found, obj)
         found.Label = f"Layers of {obj.Label}"
         found.Shape = shape
     return found
@@ -307,6 +310,7 @@ def combine_with_body(obj: Any, body: Any, kind: str = "union", progress: Progre
     shown = mesh_object(printable(mesh))
     with all_or_nothing(obj.Document):
         found = obj.Document.addObject("Mesh::Feature", "Combination")
+        place_beside(found, obj)
         found.Label = f"{kind} of {body.Label} and {obj.Label}"
         found.Mesh = shown
     return found

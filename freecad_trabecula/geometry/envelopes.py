@@ -25,6 +25,7 @@ MESH_FILES = (".stl", ".obj", ".ply")
 #: Names of a box's faces beside FreeCAD's own, as seen from the front (towards +y).
 BOX_ALIASES = {"left": "Face1", "right": "Face2", "front": "Face3", "back": "Face4", "bottom": "Face5", "top": "Face6"}
 _TINY, _HUGE = 1.0, 1000.0  # mm; an implant whose largest size lies outside was likely drawn in another unit
+_LARGEST, _LONGEST = 1e6, 1e5  # mm, and greatest ratio of an envelope's sizes
 _SEWING = (1e-6, 1e-4, 1e-2)  # mm; gaps that are closed between the faces of an IGES file, the smallest that do
 _KERNEL_ERRORS = (Part.OCCError, RuntimeError, ValueError, OSError)
 
@@ -151,6 +152,8 @@ def envelope_from_shape(
         If the kernel cannot triangulate it.
     """
     body, mended = _checked(_choose(shape, solid))
+    low, high = exact_box(body)
+    _check_extent(high - low)
     deflection = deflection or default_deflection(body)
     mesh, note = tessellate(body, deflection)
     crossing = find_crossing(body, deflection)
@@ -159,7 +162,6 @@ def envelope_from_shape(
             f"a solid must not cross itself; {crossing.pairs} pairs of its triangles do, the longest crossing is "
             f"{crossing.longest:.3g} mm at ({', '.join(f'{c:.4g}' for c in crossing.middle)}) mm"
         )
-    low, high = exact_box(body)
     every = (*notes, *mended, *_unit_notes(float((high - low).max())), *([note] if note else []))
     names = dict(aliases or {})
     envelope = Envelope(body, mesh, deflection, low, high, names, every)
@@ -289,7 +291,10 @@ def _choose(shape: Part.Shape, solid: Choice) -> Part.Shape:
     if solid in (None, ""):
         if len(solids) > 1:
             listed = ", ".join(f"Solid{k + 1} ({_size_text(one)})" for k, one in enumerate(solids))
-            raise EnvelopeError(f"one solid of {len(solids)} must be chosen as the envelope: {listed}")
+            raise EnvelopeError(
+                f"one solid of {len(solids)} must be chosen as the envelope: {listed}; a compound is taken apart by "
+                "Part > Compound > Explode compound"
+            )
         return solids[0]
     number = str(solid)[5:] if str(solid).startswith("Solid") else str(solid)
     if not number.isdigit() or not 1 <= int(number) <= len(solids):
@@ -316,6 +321,18 @@ def _checked(solid: Part.Shape) -> Tuple[Part.Shape, List[str]]:
     if not solid.Volume > 1e-12:
         raise EnvelopeError(f"an envelope must have a volume greater than 0 mm3, got {solid.Volume:.3g} mm3")
     return solid, notes
+
+
+def _check_extent(sizes: np.ndarray) -> None:
+    """Refuse what is so long for its width that the kernel's search for crossings takes FreeCAD down."""
+    least, largest = float(sizes.min()), float(sizes.max())
+    if not largest <= _LARGEST:
+        raise EnvelopeError(f"an envelope must be at most {_LARGEST:g} mm large, got {largest:.4g} mm")
+    if not largest <= _LONGEST * least:
+        raise EnvelopeError(
+            f"the largest size of an envelope must be at most {_LONGEST:g} times its least, got {largest:.4g} and "
+            f"{least:.4g} mm"
+        )
 
 
 def _mended(solid: Part.Shape) -> Part.Shape:

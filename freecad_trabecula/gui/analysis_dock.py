@@ -233,7 +233,7 @@ class AnalysisDock(ObjectDock):
         else:
             self.view.show_slice(slice_of(analysis, contours, self.axis, plane))
         height = float(analysis.profiles[self.axis].coordinate[plane])
-        self.move_plane(plane_corners(self.axis, height, analysis.box))
+        self.move_plane(plane_corners(self.axis, height, analysis.box), obj)
 
     def _fetch(self, obj: Any) -> None:
         """Have the contours computed in another process; the dock is told by the object's recompute."""

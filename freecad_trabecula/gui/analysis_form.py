@@ -13,6 +13,7 @@ from PySide import QtGui
 from ..core.analysis.parameters import AXES, SliceParameters
 from ..core.analysis.triangles import UNITS
 from ..errors import ParameterError
+from ..features.bodies import has_solid, is_mesh
 from ..features.relations import type_of
 from .accordion import Accordion
 from .fields import NumberField, row_widget
@@ -230,14 +231,16 @@ def sliceable(document: Any) -> Tuple[Any, ...]:
     return tuple(obj for obj in document.Objects if is_sliceable(obj))
 
 
+def likely(offered: Sequence[Any]) -> Any:
+    """Return what is likely meant if nothing is selected: the latest, channels and loose pieces last; None of none."""
+    parts = ("Trabecula::Body", "Trabecula::Wireframe")
+    whole = [obj for obj in offered if type_of(obj) not in parts]
+    return next(iter([*whole[::-1], *offered[::-1]]), None)
+
+
 def is_sliceable(obj: Any) -> bool:
     """Return whether an object has triangles or a solid."""
-    mesh = getattr(obj, "Mesh", None)
-    if mesh is not None and hasattr(mesh, "CountFacets"):
-        return mesh.CountFacets > 0
     if type_of(obj) == "Trabecula::Wireframe":
         return obj.Rods > 0
-    shape = getattr(obj, "Shape", None)
-    if type_of(obj) in ("Trabecula::PrismSites", "Trabecula::FaceSites") or shape is None or shape.isNull():
-        return False
-    return shape.ShapeType in ("Solid", "CompSolid", "Compound") and obj.isDerivedFrom("Part::Feature")
+    is_sites = type_of(obj) in ("Trabecula::PrismSites", "Trabecula::FaceSites")
+    return is_mesh(obj) or (not is_sites and has_solid(obj))

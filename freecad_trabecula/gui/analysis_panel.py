@@ -14,7 +14,7 @@ from ..features.analysis_makers import default_parameters, design_envelope
 from ..features.analysis_source import body_of_source, file_source, object_source, reading_of_source
 from .analysing import Wish
 from .analysis_dock import show_analyses
-from .analysis_form import AnalysisForm, is_sliceable, sliceable
+from .analysis_form import AnalysisForm, is_sliceable, likely, sliceable
 from .analysis_plots import title
 from .document_work import Order
 from .preferences import new_slices
@@ -56,7 +56,7 @@ class AnalysisPanel(WorkPanel):
             self.lock_source(True)
         else:
             offered = sliceable(self.document)
-            source = source if source is not None else (offered[-1] if offered else None)
+            source = source if source is not None else likely(offered)
             self.fields.offer(offered, source, design_envelope(source) if source is not None else None)
             self.fields.set_value(new_slices(default_parameters(source) if source is not None else SliceParameters()))
             self.fields.source.currentIndexChanged.connect(self._take_source)

@@ -12,6 +12,7 @@ from typing import Any, Callable, Dict, List, Tuple
 import FreeCAD
 import FreeCADGui
 
+from ..features.bodies import wholes
 from ..features.relations import type_of
 from .qt import icon_path, invoke_later
 from .transactions import record, told
@@ -25,8 +26,8 @@ def active_document() -> Any:
 
 
 def selected_objects() -> List[Any]:
-    """Return what is selected in the active document."""
-    return FreeCADGui.Selection.getSelection(FreeCAD.ActiveDocument.Name) if FreeCAD.ActiveDocument else []
+    """Return what is selected in the active document, of a PartDesign body the body itself."""
+    return wholes(FreeCADGui.Selection.getSelection(FreeCAD.ActiveDocument.Name)) if FreeCAD.ActiveDocument else []
 
 
 def document_or_new() -> Any:

@@ -138,7 +138,13 @@ class DesignForm:
         ParameterError
             If a value breaks a rule.
         """
-        on_faces = self.kind.value() == ON_FACES
+        on_faces, couplings = self.kind.value() == ON_FACES, self.couplings.value()
+        if on_faces and not self.faces.value():
+            raise ParameterError(
+                "rods begin on faces with sites, got none: press Pick faces and click them in the view"
+            )
+        if not couplings:
+            raise ParameterError("rods join a pair of faces, got no pair: add one in the section Couplings")
         return Job(
             name=self._name,
             envelope="" if self._is_box() else IN_DOCUMENT,
@@ -146,7 +152,7 @@ class DesignForm:
             faces=self.faces.value() if on_faces else (),
             pores=self.pores.value(),
             path=self.paths.value(),
-            couplings=self.couplings.value(),
+            couplings=couplings,
             rods=self.surface.value(),
             scaffold=self.scaffold.value(),
             edits=self.edits.value(),
@@ -235,6 +241,8 @@ class DesignForm:
         self.prism.setVisible(self._is_box())
         self.prism.show_sites(not on_faces)
         self.faces.setVisible(on_faces)
+        if on_faces and not self.labels():
+            self.sections.set_summary(0, faces_summary(()))
 
     # ---------------------------------------------------------------------------------------------------- changes
 

@@ -13,6 +13,7 @@ from .. import make
 from ..core.job import Job
 from ..core.presets import preset
 from ..errors import TrabeculaError
+from ..features.containers import frame_of
 from ..features.relations import products_of
 from . import background
 from .build_bar import BuildBar
@@ -121,14 +122,26 @@ class DesignPanel(DocumentPanel):
     @while_open
     def _envelope_ready(self) -> None:
         self.fields.set_envelopes(self.body.offered(), self.envelope.Name if self.envelope else "", self.body.is_fixed)
-        if self.envelope is not None and self.envelope.TypeId == "Part::Box" and self.wireframe is None:
-            edges = (self.envelope.Length.Value, self.envelope.Width.Value, self.envelope.Height.Value)
-            self.fields.prism.set_edges(edges)
+        if self.wireframe is None:
+            self._take_edges()
         self.fields.prism.allow_edges(self.envelope is None or self.wireframe is not None)
         self._clear_view.apply(self.envelope, self._hidden())
+        self.preview.place(frame_of(self.envelope))
         self._show_parts()
         self._seen = False
         self._changed()
+        self._invite()
+
+    def _take_edges(self) -> None:
+        if self.envelope is not None and self.envelope.TypeId == "Part::Box":
+            edges = (self.envelope.Length.Value, self.envelope.Width.Value, self.envelope.Height.Value)
+            self.fields.prism.set_edges(edges)
+
+    def _invite(self) -> None:
+        """Let faces of a new design's envelope be picked at once: without them there is nothing to be seen."""
+        is_bare = self.wireframe is None and self.envelope is not None and not self.fields.labels()
+        if is_bare and not self.fields.faces.pick_button.isChecked():
+            self.fields.faces.pick_button.setChecked(True)
 
     @while_open
     def _refuse(self, text: str) -> None:
@@ -249,6 +262,7 @@ class DesignPanel(DocumentPanel):
             return False
         kinds = [one.Proxy.KIND for one in products_of(self.wireframe)] if self.wireframe else []
         with told():
+            self.body.check_ready()
             job = self.fields.job()
             if kinds or job != self._drawn:
                 self._start(job, kinds)
@@ -277,6 +291,18 @@ class DesignPanel(DocumentPanel):
             self.body.forget()
             invoke_later(lambda: self._take_envelope(""))
 
+    @while_open
+    def slotRecomputedObject(self, obj: Any) -> None:
+        """Look at the envelope anew when somebody else has changed it (FreeCAD's observer protocol)."""
+        if self.envelope is not None and obj == self.envelope and self._building is None:
+            invoke_later(self._look_again)
+
+    @while_open
+    def _look_again(self) -> None:
+        self._take_edges()
+        with told():
+            self.body.begin()
+
     def let_go(self, has_document: bool) -> None:
         """Leave the document as it was, unless the design is kept."""
         self._pause.stop()
@@ -301,6 +327,7 @@ class DesignPanel(DocumentPanel):
     def build(self) -> None:
         """Build what is ticked, in another process."""
         with told():
+            self.body.check_ready()
             self._start(self.fields.job(), self.build_bar.chosen())
 
     def _start(self, job: Job, kinds: Sequence[str]) -> None:

@@ -116,7 +116,8 @@ def _measure(stages: Stages, without: str = "Trabecula_MeasureFile") -> Click:
 
 
 def _first_body(stages: Stages) -> List[Any]:
-    return stages.bodies[:1] or [one for one in (stages.scaffold, stages.voxels) if one is not None][:1]
+    made = [one for one in (stages.scaffold, stages.voxels) if one is not None]
+    return (stages.chosen or stages.bodies or made)[:1]
 
 
 def _targets(stages: Stages) -> Any:
@@ -129,7 +130,7 @@ def _targets(stages: Stages) -> Any:
 def _sample(stages: Stages) -> Any:
     """What the voxels are made of: the bone itself, of which each layer can be seen; without it what is known of it."""
     targets = _targets(stages)
-    body = targets.Source if targets is not None else next(iter(stages.bodies), None)
+    body = targets.Source if targets is not None else next(iter(stages.chosen or stages.bodies), None)
     return targets if body is None else body
 
 
@@ -141,9 +142,9 @@ def _rods() -> Tuple[Step, ...]:
         Step(
             "body",
             translate("Trabecula", "Pick a body"),
-            translate("Trabecula", "Select the solid to be filled. A click here brings one in from a file; without "
-                      "one a box is filled."),
-            lambda on, seen: _if(on.solids or on.wireframe is not None),
+            translate("Trabecula", "Select the solid or the closed mesh to be filled. A click here brings one in from "
+                      "a file; without one a box is filled."),
+            lambda on, seen: _if(on.solids or on.chosen or on.wireframe is not None),
             lambda on: ("Trabecula_Body", []),
         ),
         Step(
@@ -152,7 +153,8 @@ def _rods() -> Tuple[Step, ...]:
             translate("Trabecula", "Sites, pores, paths and couplings; the preview and its porosity follow every "
                       "change. OK keeps the design."),
             lambda on, seen: state_of(on.wireframe),
-            lambda on: ("Trabecula_Design", [on.wireframe] if on.wireframe is not None else on.solids[-1:]),
+            lambda on: ("Trabecula_Design", [on.wireframe] if on.wireframe is not None
+                        else (on.chosen or on.solids[-1:])[:1]),
         ),
         Step(
             "build",
@@ -263,7 +265,7 @@ def _voxel_steps() -> Tuple[Step, ...]:
             translate("Trabecula", "Measure the targets"),
             translate("Trabecula", "Slice the sample in layers as thick as the voxels are to be: each is a target."),
             lambda on, seen: state_of(_targets(on)) if _targets(on) is not None else _if(on.voxels is not None),
-            lambda on: _of(next(iter(on.bodies), None), "Trabecula_Analysis"),
+            lambda on: _of(next(iter(on.chosen or on.bodies), None), "Trabecula_Analysis"),
         ),
         Step(
             "voxels",

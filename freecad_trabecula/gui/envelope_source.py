@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 from typing import Any, Optional
 
+import Mesh
 import Part
 from PySide import QtCore
 
@@ -16,6 +17,7 @@ from ..geometry.fingerprints import fingerprint
 from .child_work import ChildWork
 from .envelope_child import ENVELOPE, SHAPE
 
+_MESH = "mesh.ply"
 _MODULE = "freecad_trabecula.gui.envelope_child"
 
 
@@ -50,17 +52,30 @@ class EnvelopeSource(QtCore.QObject):
         """
         self._start("", "", shape)
 
+    def convert(self, mesh: Mesh.Mesh) -> None:
+        """Make a solid of a closed mesh.
+
+        Raises
+        ------
+        DependencyError
+            If FreeCAD's console program is not found.
+        """
+        self._start("", "", None, mesh)
+
     def cancel(self) -> None:
         """Ask no more."""
         if self._work is not None:
             self._work.cancel()
             self._work = None
 
-    def _start(self, file: str, solid: str, shape: Optional[Part.Shape]) -> None:
+    def _start(self, file: str, solid: str, shape: Optional[Part.Shape], mesh: Optional[Mesh.Mesh] = None) -> None:
         self.cancel()
         folder = tempfile.mkdtemp(prefix="trabecula-")
         if shape is not None:
             shape.exportBinary(str(Path(folder) / SHAPE))
+        if mesh is not None:
+            file = str(Path(folder) / _MESH)
+            mesh.write(file)
         mark = fingerprint(shape) if shape is not None else ""
         work = ChildWork(_MODULE, {"folder": folder, "file": file, "solid": solid}, folder)
         work.succeeded.connect(lambda place: self._take(place, mark))

@@ -124,6 +124,7 @@ class GuideDock(QtGui.QDockWidget):
         column.addWidget(help_buttons("commands/Start.md"), 0, QtCore.Qt.AlignRight)
         column.addWidget(self.pages)
         self.setWidget(page)
+        self.setMinimumWidth(_WIDTH)  # beside a wide task panel its buttons were cut off
         self._clock = QtCore.QTimer(self)
         self._clock.setInterval(_PAUSE)
         self._clock.timeout.connect(self.look)

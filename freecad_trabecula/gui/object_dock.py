@@ -10,6 +10,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..features.containers import seen_at
 from ..features.relations import type_of
 from .qt import icon
 from .slice_view import SlicePlane
@@ -70,13 +71,13 @@ class ObjectDock(QtGui.QDockWidget):
 
     # ------------------------------------------------------------------------------------------------- the 3D view
 
-    def move_plane(self, corners: np.ndarray) -> None:
-        """Show a plane between four corners (4, 3), mm, in the 3D view."""
+    def move_plane(self, corners: np.ndarray, obj: Any) -> None:
+        """Show a plane between four corners (4, 3), mm, of an object's co-ordinates in the 3D view."""
         if self._slice_plane is None and self.isVisible() and self._document in FreeCAD.listDocuments():
             views = FreeCADGui.getDocument(self._document).mdiViewsOfType("Gui::View3DInventor")
             self._slice_plane = SlicePlane(views[0]) if views else None
         if self._slice_plane is not None:
-            self._slice_plane.show(corners)
+            self._slice_plane.show(seen_at(corners, obj))
 
     def drop_plane(self) -> None:
         """Take the plane out of the view."""

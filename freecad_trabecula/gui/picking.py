@@ -8,6 +8,10 @@ from typing import Any, Callable, Optional, Tuple
 import FreeCAD
 import FreeCADGui
 
+from ..features.bodies import has_solid, whole
+from ..features.containers import frame_of
+from ..features.relations import type_of
+
 translate = FreeCAD.Qt.translate
 #: ``picked(face, point)``: FreeCAD's name of the face, and the place of the click (mm).
 Picked = Callable[[str, Tuple[float, float, float]], None]
@@ -22,7 +26,7 @@ class FaceGate:
 
     def allow(self, document: Any, obj: Any, sub: str) -> bool:
         """Return whether something may be selected."""
-        ok = (document.Name, obj.Name) == self._names and sub.split(".")[-1].startswith("Face")
+        ok = (document.Name, whole(obj).Name) == self._names and sub.split(".")[-1].startswith("Face")
         if not ok:
             self.notAllowedReason = translate("Trabecula", "Pick a face of {}").format(self._label)
         return ok
@@ -60,15 +64,13 @@ class FacePicker:
         """Take a click (FreeCAD's observer protocol)."""
         face = sub.split(".")[-1]
         envelope = self._envelope
-        if envelope is not None and obj == envelope.Name and face.startswith("Face"):
-            self._picked(face, tuple(float(c) for c in point))
+        if envelope is None or document != envelope.Document.Name or not face.startswith("Face"):
+            return
+        if whole(envelope.Document.getObject(obj)) is envelope:
+            here = frame_of(envelope).inverse().multVec(FreeCAD.Vector(*point))
+            self._picked(face, tuple(here))
 
 
 def is_solid(obj: Any) -> bool:
     """Return whether an object could be an envelope: a cheap look, no check of its shape."""
-    if not obj.isDerivedFrom("Part::Feature") or str(
-        getattr(obj.Proxy, "Type", "") if hasattr(obj, "Proxy") else ""
-    ).startswith("Trabecula::"):
-        return False
-    shape = obj.Shape
-    return not shape.isNull() and shape.ShapeType in ("Solid", "CompSolid", "Compound")
+    return not type_of(obj) and has_solid(obj)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Optional
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
@@ -30,6 +31,8 @@ class Preview:
         unpickable = coin.SoPickStyle()
         unpickable.style = coin.SoPickStyle.UNPICKABLE
         self.node.addChild(unpickable)
+        self._frame = coin.SoMatrixTransform()
+        self.node.addChild(self._frame)
         self._rods, self._rods_switch = self._add_rods()
         self.lost, self._rods_shown = LostRods(), True
         self.node.addChild(self.lost.node)
@@ -91,6 +94,11 @@ class Preview:
         return coin.SoVertexProperty()
 
     # ----------------------------------------------------------------------------------------------- what they show
+
+    def place(self, frame: FreeCAD.Placement) -> None:
+        """Show all of it in the co-ordinates of the ``App::Part`` in which the envelope lies."""
+        matrix = np.array(frame.toMatrix().A).reshape(4, 4).T  # Coin's rows are columns
+        self._frame.matrix = coin.SbMatrix(*matrix.ravel().tolist())
 
     def show(self, drawing: Drawing) -> None:
         """Show a drawing in place of the one before."""

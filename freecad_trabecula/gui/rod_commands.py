@@ -11,6 +11,7 @@ from PySide import QtGui
 
 from ..core.presets import PRESETS, preset
 from ..errors import ParameterError
+from ..features.bodies import is_body, whole
 from ..features.jobs import write_job
 from ..features.relations import parts_of, type_of, wireframe_of
 from . import panels
@@ -39,6 +40,18 @@ def _channels(wireframe: Any) -> List[Any]:
     return [one for one in parts_of(wireframe) if getattr(one, "Role", "") == "channels"]
 
 
+def _to_be_filled(chosen: List[Any]) -> Any:
+    """The first body of a selection; None if nothing else is selected than what is ours."""
+    others = [obj for obj in chosen if not type_of(obj)]
+    found = [obj for obj in others if is_body(obj)]
+    if others and not found:
+        raise ParameterError(
+            f"rods are designed in a solid or a closed mesh, got {others[0].Label}, which has neither: select a body, "
+            "or nothing for a new prism"
+        )
+    return found[0] if found else None
+
+
 class DesignRods(PanelCommand):
     """Opens the design panel: for the selected design, or for a new one in the selected solid or in a prism."""
 
@@ -53,8 +66,8 @@ class DesignRods(PanelCommand):
         if design is not None:
             panels.open_change(design)
         else:
-            solid = next((obj for obj in chosen if is_solid(obj)), None)
-            in_document(lambda document: panels.open_new(document, envelope=solid))
+            body = _to_be_filled(chosen)
+            in_document(lambda document: panels.open_new(document, envelope=body))
 
 
 class LoadPreset(PanelCommand):
@@ -104,13 +117,15 @@ class FaceSitesCommand(PanelCommand):
     def run(self, index: int) -> None:
         """Open the panel."""
         chosen = self._chosen()[0]
-        faces = [name for name in chosen.SubElementNames if name.startswith("Face")]
-        panels.open_on_faces(active_document(), chosen.Object, faces)
+        body = whole(chosen.Object)
+        is_seen = chosen.Object in (body, getattr(body, "Tip", None))  # an earlier step has faces of its own
+        faces = [name for name in chosen.SubElementNames if name.startswith("Face") and is_seen]
+        panels.open_on_faces(active_document(), body, faces)
 
     def _chosen(self) -> List[Any]:
         document = active_document()
         selection = FreeCADGui.Selection.getSelectionEx(document.Name) if document is not None else []
-        return [one for one in selection if is_solid(one.Object)]
+        return [one for one in selection if is_solid(whole(one.Object))]
 
 
 class EditSite(PanelCommand):

@@ -14,6 +14,7 @@ from ..core.analysis.parameters import AXES, axis_name
 from ..core.analysis.triangles import Soup
 from ..errors import TrabeculaError
 from ..features.analysis_source import object_source, soup_of_source
+from ..features.containers import seen_at
 from ..features.relations import type_of
 from .analysis_form import is_sliceable
 from .colouring import show_also
@@ -186,7 +187,8 @@ class SectionDock(QtGui.QDockWidget):
             except TrabeculaError as error:
                 FreeCAD.Console.PrintLog(f"{error}\n")
                 continue
-            found.append(Body(obj.Name, self._soups[source.key].triangles, _colour_of(obj)))
+            triangles = seen_at(self._soups[source.key].triangles, obj)
+            found.append(Body(obj.Name, triangles, _colour_of(obj)))
         self.section.set_bodies(found, _box_of(self._objects()))
         self.show_section()
 
@@ -236,12 +238,11 @@ class SectionDock(QtGui.QDockWidget):
 
 def _box_of(objects: List[Any]) -> np.ndarray:
     """The box (2, 3) of objects, mm; of nothing a cube."""
-    boxes = [getattr(one, "Mesh", None) or one.Shape for one in objects]
-    boxes = [one.BoundBox for one in boxes]
-    if not boxes:
+    if not objects:
         return np.array([[0.0, 0, 0], [1, 1, 1]])
-    low = np.min([(box.XMin, box.YMin, box.ZMin) for box in boxes], axis=0)
-    return np.stack([low, np.max([(box.XMax, box.YMax, box.ZMax) for box in boxes], axis=0)])
+    boxes = [(obj, (getattr(obj, "Mesh", None) or obj.Shape).BoundBox) for obj in objects]
+    corners = [seen_at(np.array([tuple(box.getPoint(k)) for k in range(8)]), obj) for obj, box in boxes]
+    return np.stack([np.min(corners, axis=(0, 1)), np.max(corners, axis=(0, 1))])
 
 
 def _colour_of(obj: Any) -> Tuple[float, float, float]:

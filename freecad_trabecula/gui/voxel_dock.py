@@ -169,7 +169,7 @@ class VoxelDock(ObjectDock):
             chart.set_cursor(height)
         low = np.array(targets.origin)
         box = np.stack([low, low + np.array(targets.layers) * targets.voxel])
-        self.move_plane(plane_corners(AXES[self.axis], height, box))
+        self.move_plane(plane_corners(AXES[self.axis], height, box), self.chosen())
 
     def _no_sample(self) -> str:
         obj = self.chosen()

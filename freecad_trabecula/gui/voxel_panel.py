@@ -18,7 +18,7 @@ from ..features.relations import type_of
 from ..features.tasks import write_voxel_task
 from ..features.voxel_design import VoxelDesign
 from ..features.voxel_inputs import FlatTables, curves_of, flat_tables, inputs_of
-from .analysis_form import is_sliceable
+from .analysis_form import is_sliceable, likely
 from .background import work_at_once
 from .document_work import Order, check_present, write_step
 from .language import in_words
@@ -142,7 +142,7 @@ class VoxelPanel(WorkPanel):
                 self.fields.take_curves(curves)
             self.lock_source(True)
         else:
-            source = source if source is not None else (samples[-1] if samples else None)
+            source = source if source is not None else likely(samples)
             self.fields.offer(samples, bodies, source, None)
             self.fields.set_value(first_parameters(source), new_surface())
         self._changed()

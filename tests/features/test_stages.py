@@ -28,6 +28,12 @@ class StagesTest(DocumentCase):
         self.assertEqual((on.of_bone, on.bones), (analysis, []))
         self.assertEqual(state_of(analysis), DONE)
 
+    def test_a_selected_body_comes_before_others(self):
+        first, second = self.solid("First"), self.solid("Second")
+        on = stages_of(self.document, [second, second])
+        self.assertEqual((on.chosen, on.bones), ([second], [second, first]))
+        self.assertEqual(stages_of(self.document).chosen, [])
+
     def test_an_envelope_is_no_bone_and_the_analysis_of_a_network_is_that_of_the_design(self):
         design = make.make_design(self.document, small_job(), ("network",))
         analysis = make.make_analysis(self.document, design.network)

@@ -200,6 +200,14 @@ class Files(InFolder):
 
 
 class RefusedShapes(unittest.TestCase):
+    def test_a_body_that_is_too_large_or_too_long_for_its_width_is_refused_before_the_kernel_fails(self):
+        for sizes, message in (
+            ((1e12, 10, 10), "at most 1e\\+06 mm large, got 1e\\+12 mm"),
+            ((1e5, 0.5, 1), "at most 100000 times its least, got 1e\\+05 and 0.5 mm"),
+        ):
+            with self.assertRaisesRegex(EnvelopeError, message):
+                envelope_from_shape(Part.makeBox(*sizes))
+
     def refuse(self, shape, pattern, solid=None):
         with self.assertRaisesRegex(EnvelopeError, pattern):
             envelope_from_shape(shape, solid)

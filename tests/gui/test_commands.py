@@ -201,6 +201,13 @@ class FilesTest(WindowTest):
         self.assertEqual(len(self.dialogs), 1)
         self.assertIn("/nowhere", self.dialogs[0])
 
+    def test_labels_that_no_file_can_have_are_offered_as_names_that_it_can(self):
+        body, asked = self.document.addObject("Part::Box", "Box"), []
+        self.document.Label, body.Label = "Hüfte 1/2", 'Gerüst: <a\\b> "neu"?'
+        with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *words: asked.append(words[2]) or ("", "")):
+            self.assertIsNone(export_dialog.ask_and_write(body, "stl", None))
+        self.assertEqual(os.path.basename(asked[0]), "Hüfte_1-2-Gerüst-_-a-b-_-neu--.stl")
+
     def test_a_design_without_bodies_has_nothing_to_export(self):
         design = make.make_design(self.document, preset("case1"))
         with self.assertRaisesRegex(ParameterError, "build one first"):

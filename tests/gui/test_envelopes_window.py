@@ -5,10 +5,12 @@ from dataclasses import replace
 
 import FreeCAD
 import FreeCADGui
+import Mesh
 import Part
 from window import WindowTest, settle, wait
 
 from freecad_trabecula.core.presets import preset
+from freecad_trabecula.errors import EnvelopeError
 from freecad_trabecula.gui import panels
 from freecad_trabecula.gui.picking import FaceGate, is_solid
 
@@ -113,6 +115,21 @@ class EnvelopeTest(WindowTest):
         self.assertEqual((prism.l, prism.w, prism.h), (20.0, 12.0, 8.0))
         self.assertFalse(panel.fields.prism.fields["l"].widget.isEnabled())
 
+    def test_an_envelope_that_is_changed_while_the_panel_is_open_is_followed(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        panels.open_new(self.document, preset("case1"), box)
+        panel = panels.current()
+        self.wait_for_estimate(panel)
+
+        def longer():
+            box.Length = 30
+            self.document.recompute()
+
+        self.change(panel, longer)
+        self.assertEqual(panel.fields.job().prism.l, 30.0)
+        self.assertEqual(tuple(panel._drawn.prism.axes[0])[1], 30.0)
+
     def test_an_anatomical_preset_opens_its_file_and_cancel_takes_it_away_again(self):
         FreeCADGui.runCommand("Trabecula_Preset_cranial")
         panel = panels.current()
@@ -121,6 +138,109 @@ class EnvelopeTest(WindowTest):
         self.assertEqual(panel.fields.faces.value(), preset("cranial").faces)
         panel.reject()
         self.assertEqual(self.names(), [])
+
+    def pad(self):
+        """A PartDesign body of one pad of 10 x 8 x 6 mm, 20 mm along X."""
+        body = self.document.addObject("PartDesign::Body", "Design")
+        sketch = body.newObject("Sketcher::SketchObject", "Sketch")
+        corners = [FreeCAD.Vector(*point) for point in ((0, 0, 0), (10, 0, 0), (10, 8, 0), (0, 8, 0))]
+        for first, second in zip(corners, [*corners[1:], corners[0]]):
+            sketch.addGeometry(Part.LineSegment(first, second))
+        pad = body.newObject("PartDesign::Pad", "Pad")
+        pad.Profile, pad.Length = sketch, 6
+        body.Placement.Base.x = 20
+        self.document.recompute()
+        return body
+
+    def test_a_click_on_a_part_design_body_means_the_body_where_it_is_seen(self):
+        body = self.pad()
+        FreeCADGui.Selection.addSelection(self.document.Name, body.Name, "Pad.Face6", 25, 4, 6)
+        FreeCADGui.runCommand("Trabecula_FaceSites")
+        panel = panels.current()
+        self.assertTrue(wait(lambda: panel.body.is_ready, 30))
+        self.assertEqual(panel.envelope, body)
+        self.assertEqual([one.face for one in panel.fields.faces.value()], ["Face6"])
+        self.assertNotIn("Pad", [panel.fields.envelope.itemText(k) for k in range(panel.fields.envelope.count())])
+        panel.fields.faces.pick_button.setChecked(True)
+        FreeCADGui.Selection.addSelection(self.document.Name, body.Name, "Pad.Face5", 25, 4, 0)
+        settle(0.1)
+        self.assertEqual([one.face for one in panel.fields.faces.value()], ["Face6", "Face5"])
+
+    def test_faces_of_a_step_that_is_not_the_last_are_not_taken_for_those_of_the_body(self):
+        body = self.pad()
+        chamfer = body.newObject("PartDesign::Chamfer", "Chamfer")
+        chamfer.Base, chamfer.Size = (self.document.getObject("Pad"), ["Edge1"]), 1
+        self.document.recompute()
+        FreeCADGui.Selection.addSelection(self.document.Name, body.Name, "Pad.Face6", 25, 4, 6)
+        FreeCADGui.runCommand("Trabecula_FaceSites")
+        self.assertEqual(panels.current().envelope, body)
+        self.assertEqual(list(panels.current().fields.faces.value()), [])
+
+    def test_a_body_in_a_moved_part_is_picked_previewed_and_filled_where_it_is_seen(self):
+        part, body = self.document.addObject("App::Part", "Part"), self.add(Part.makeBox(10, 8, 6))
+        part.addObject(body)
+        part.Placement.Base = FreeCAD.Vector(50, 0, 0)
+        self.document.recompute()
+        panel = self.open_on(body, ["Face5", "Face6"])
+        self.assertEqual(panel.preview._frame.matrix.getValue()[3][0], 50)
+        panel.fields.faces.origin_button.click()
+        FreeCADGui.Selection.addSelection(self.document.Name, part.Name, body.Name + ".Face6", 52.0, 3.0, 6.0)
+        settle(0.1)
+        self.assertEqual(panel.fields.faces.value()[1].origin, (2.0, 3.0, 6.0))
+        self.change(panel, panel.fields.couplings._add)
+        panel.accept()
+        self.assertTrue(wait(lambda: not panel.is_open, 60))
+        self.assertEqual(self.wireframe().getParentGeoFeatureGroup(), part)
+
+    def mesh(self, shape):
+        obj = self.document.addObject("Mesh::Feature", "Bone")
+        obj.Mesh = Mesh.Mesh(shape.tessellate(0.1))
+        return obj
+
+    def test_a_closed_mesh_becomes_a_solid_that_cancel_takes_away_again(self):
+        bone = self.mesh(Part.makeBox(10, 8, 6))
+        FreeCADGui.Selection.addSelection(bone)
+        FreeCADGui.runCommand("Trabecula_Design")
+        panel = panels.current()
+        self.assertTrue(wait(lambda: panel.body.is_ready or self.refused(panel), 30), self.refused(panel))
+        self.assertAlmostEqual(panel.envelope.Shape.Volume, 480, 3)
+        self.assertEqual((panel.envelope.Label, bone.Visibility), ("Bone (solid)", False))
+        panel.reject()
+        self.assertEqual((self.names(), bone.Visibility), (["Bone"], True))
+
+    def test_a_mesh_with_a_hole_is_refused_and_nothing_can_be_built(self):
+        box = Part.makeBox(10, 8, 6)
+        bone = self.mesh(Part.makeShell(box.Faces[:5]))
+        FreeCADGui.Selection.addSelection(bone)
+        FreeCADGui.runCommand("Trabecula_Design")
+        panel = panels.current()
+        self.assertTrue(wait(lambda: "1 holes with 4 open edges" in self.refused(panel), 30), self.refused(panel))
+        panel.build()
+        panel.accept()
+        self.assertEqual(len(self.dialogs), 2)
+        self.assertTrue(all("a mesh must be closed" in text for text in self.dialogs), self.dialogs)
+        self.assertEqual((panel.is_open, self.names()), (True, ["Bone"]))
+
+    def test_a_solid_that_is_still_being_checked_can_be_built_in_and_a_mesh_not_yet(self):
+        for body in (self.add(Part.makeCylinder(4, 8.25)), self.mesh(Part.makeBox(10, 8, 6.25))):
+            panels.open_new(self.document, envelope=body)
+            panel = panels.current()
+            self.assertFalse(panel.body.is_ready)
+            if body.Name == "Bone":
+                with self.assertRaisesRegex(EnvelopeError, "wait a moment"):
+                    panel.body.check_ready()
+            else:
+                panel.body.check_ready()  # as "Build scaffold" does with a document that was opened just now
+            panel.reject()
+            settle(0.3)
+
+    def test_what_has_no_solid_is_refused_by_its_name_and_no_prism_is_offered_in_its_place(self):
+        shell = self.add(Part.makeBox(1, 1, 1).Shells[0], "Surface")
+        FreeCADGui.Selection.addSelection(shell)
+        FreeCADGui.runCommand("Trabecula_Design")
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertEqual(len(self.dialogs), 1)
+        self.assertIn("got Surface", self.dialogs[0])
 
     def test_a_file_that_is_missing_is_refused_by_its_name(self):
         job = replace(preset("cranial"), envelope="/nowhere/bone.step")

@@ -132,6 +132,14 @@ class RodsDoorTest(GuideCase):
     def design(self):
         return make.make_design(self.document, rods_job(), ("scaffold",))
 
+    def test_the_selected_one_of_two_bodies_is_designed_in(self):
+        first, _ = (self.document.addObject("Part::Box", name) for name in ("First", "Second"))
+        self.document.recompute()
+        self.begin("rods")
+        FreeCADGui.Selection.addSelection(first)
+        self.click("design")
+        self.assertEqual(panels.current().envelope, first)
+
     def test_from_a_body_to_a_comparison_that_moves_and_files(self):
         box = self.document.addObject("Part::Box", "Box")
         box.Length = box.Width = box.Height = 4

@@ -227,7 +227,11 @@ def check_closed(triangles: np.ndarray) -> None:
     a, b, c = (np.asarray(triangles[:, k], float) for k in range(3))
     normals = np.cross(b - a, c - a)
     open_area, surface = np.linalg.norm(normals.sum(0)) / 2, np.linalg.norm(normals, axis=1).sum() / 2
-    require(open_area <= _OPEN * surface, "a sample's mesh must be closed; its open area is", f"{open_area:.3g}", "mm²")
+    if open_area > _OPEN * surface:
+        raise ParameterError(
+            f"a sample's mesh must be closed, got an open area of {open_area:.3g} mm²: mend it first "
+            "(Mesh > Analyze > Evaluate and repair)"
+        )
     volume = float(((a - a.mean(0)) * normals).sum()) / 6
     require(volume > 0, "a sample's mesh must not be inside out; its volume is", f"{volume:.4g}", "mm³")
 
