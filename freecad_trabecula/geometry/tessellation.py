@@ -24,6 +24,7 @@ ANGULAR_DEFLECTION = (
     0.3  # radians between neighbouring triangles on a curved face; the kernel's 0.5 is coarse on fillets
 )
 _FINER = (1.0, 0.7, 0.4)  # parts of the deflection that are tried until the mesh is closed
+_FEW_FACES, _FLAT = 60, 1e-9  # of a body of which it is quickly seen that it is convex; share of its size
 _STEEP = math.sin(math.radians(15))  # triangles that cross at less belong to a fold of the mesh, not of the body
 
 
@@ -142,12 +143,30 @@ def kernel_mesh(shape: Part.Shape, deflection: float, angle: float = ANGULAR_DEF
         raise KernelError(f"the kernel made no triangles of a solid at a deflection of {deflection:g} mm") from error
 
 
+def _is_convex(solid: Part.Shape) -> bool:
+    """Return whether a solid has a few plane faces and lies on one side of each."""
+    if len(solid.Faces) > _FEW_FACES or not all(isinstance(face.Surface, Part.Plane) for face in solid.Faces):
+        return False
+    corners = point_array(vertex.Point for vertex in solid.Vertexes)
+    near = _FLAT * np.ptp(corners, axis=0).max()
+    for face in solid.Faces:
+        heights = (corners - np.array(tuple(face.Surface.Position))) @ np.array(tuple(face.Surface.Axis))
+        if heights.max() > near and heights.min() < -near:
+            return False
+    return True
+
+
 def find_crossing(solid: Part.Shape, deflection: float = 0.0) -> Optional[Crossing]:
     """Return where the faces of a solid cross, or None if they do not.
 
     The triangles are asked, not the surfaces: the kernel's own check of a 4-face femur takes 215 s, this 0.2 s. Two
     that cross at a small angle, or one of which is a sliver, are left out: meshes fold like that at the poles of domes.
+
+    A convex body has no such faces and is not asked, so that a box never is: the window checks boxes in another thread,
+    and Qt crashed once while FreeCAD's search, which has a progress bar, ran there.
     """
+    if _is_convex(solid):
+        return None
     deflection = deflection or default_deflection(solid)
     copy = solid.copy()
     # Near the origin single precision is good enough.

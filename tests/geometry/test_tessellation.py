@@ -4,6 +4,7 @@
 import math
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import FreeCAD
 import numpy as np
@@ -11,6 +12,7 @@ import Part
 
 from freecad_trabecula.core import meshes
 from freecad_trabecula.errors import EnvelopeError, KernelError, ParameterError
+from freecad_trabecula.geometry import tessellation
 from freecad_trabecula.geometry.tessellation import default_deflection, find_crossing, tessellate
 
 Vector = FreeCAD.Vector
@@ -57,6 +59,17 @@ class Crossings(unittest.TestCase):
     def test_sound_bodies_have_none(self):
         for shape in (Part.makeBox(1, 2, 3), Part.makeTorus(5, 2), Part.makeCone(5, 0, 3), Part.makeCylinder(1, 100)):
             self.assertIsNone(find_crossing(shape))
+
+    def test_convex_bodies_are_not_searched_for_any_and_others_are(self):
+        box = Part.makeBox(10, 8, 6)
+        turned = box.copy()
+        turned.rotate(Vector(1, 2, 3), Vector(1, 1, 1), 40)
+        with mock.patch.object(tessellation, "kernel_mesh", side_effect=KernelError("searched")):
+            for convex in (box, turned, Part.makeWedge(0, 0, 0, 2, 2, 10, 8, 6, 5, 5)):
+                self.assertIsNone(find_crossing(convex))
+            for other in (box.cut(Part.makeBox(5, 8, 3)).Solids[0], Part.makeSphere(5)):
+                with self.assertRaisesRegex(KernelError, "searched"):
+                    find_crossing(other)
 
     def test_the_place_of_a_crossing_is_told_where_the_solid_is(self):
         spindle = Part.makeTorus(2, 3, Vector(1000, 0, 0))  # its inner part crosses on the axis, |z| < sqrt(5)
