@@ -2349,6 +2349,16 @@
         <translation>eine PLY-Datei muss mit ihrem Kopf beginnen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>a Python {} with pip must be there to install manifold3d, and none was found</source>
+        <translation>ein Python {} mit pip muss da sein, um manifold3d zu installieren, und keines wurde gefunden</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>a body to be sliced must be chosen, got none: choose an object or a file</source>
+        <translation>ein Körper, der geschnitten wird, muss gewählt sein, hier keiner: ein Objekt oder eine Datei wählen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -2412,8 +2422,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
-        <source>a coupled face must have at least 1 site, got 0 on face {}</source>
-        <translation>eine gekoppelte Fläche muss mindestens 1 Stelle haben, hier 0 auf Fläche {}</translation>
+        <source>a coupled face must have at least 1 site, got 0 on face {}: less spacing or border</source>
+        <translation>eine gekoppelte Fläche muss mindestens 1 Stelle haben, hier 0 auf Fläche {}: Abstände oder Ränder verkleinern</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2489,6 +2499,11 @@
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>ein Entwurf muss volle Voxel haben, hier 0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>a design needs a network or a scaffold to be exported, got none: build one first</source>
+        <translation>ein Entwurf braucht zum Exportieren ein Netzwerk oder ein Gerüst, hier keines: zuerst eines bauen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
@@ -2756,6 +2771,11 @@
         <translation>ein Netz muss für Voxel mindestens ein Dreieck haben, hier 0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/preview_worker.py"/>
+        <source>a newer preview is wanted</source>
+        <translation>eine neuere Vorschau ist gewünscht</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a number</source>
         <translation>eine Zahl</translation>
@@ -2897,8 +2917,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
-        <source>a sample's mesh must be closed; its open area is, got {}</source>
-        <translation>das Netz einer Probe muss geschlossen sein; seine offene Fläche ist, hier {}</translation>
+        <source>a sample's mesh must be closed, got an open area of {} mm²: mend it first (Mesh &gt; Analyze &gt; Evaluate and repair)</source>
+        <translation>das Netz einer Probe muss geschlossen sein, hier eine offene Fläche von {} mm²: es zuerst reparieren (Arbeitsbereich Mesh: Auswerten und reparieren)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -3056,6 +3076,11 @@
         <translation>eine Variante muss Stäbe haben, hier keine mit Startwert {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>a voxel design needs a sample, got none: choose an object or a file, or draw it</source>
+        <translation>ein Voxelentwurf braucht eine Probe, hier keine: ein Objekt oder eine Datei wählen, oder sie zeichnen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must have three edges above 0, got {}</source>
         <translation>ein Voxel muss drei Kanten über 0 haben, hier {}</translation>
@@ -3166,6 +3191,11 @@
         <translation>entlang {} sind {} von {} Schnitten fehlerhaft: Schichten {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>alpha and beta must be whole numbers with blanks between, got {}</source>
+        <translation>Alpha und Beta müssen ganze Zahlen mit Leerzeichen dazwischen sein, hier {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>alpha and beta must have the same counts in the layers along Z, got {}</source>
         <translation>alpha und beta müssen dieselben Anzahlen in den Schichten entlang Z haben, hier {}</translation>
@@ -3214,6 +3244,11 @@
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be a valid solid; the kernel finds: {}</source>
         <translation>ein Hüllkörper muss ein gültiger Volumenkörper sein; der Kern findet: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be at most {} mm large, got {} mm</source>
+        <translation>ein Hüllkörper darf höchstens {} mm groß sein, hier {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -3580,6 +3615,11 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
         <translation>Kanäle aus Dreiecken und aus Strahlen, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>channels can be shown once a scaffold is built, got none: build the scaffold first</source>
+        <translation>Kanäle können gezeigt werden, sobald ein Gerüst gebaut ist, hier keines: zuerst das Gerüst bauen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4343,6 +4383,11 @@
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must be given with at='heights', and only then, got {}</source>
         <translation>Höhen gehören zu at='heights', und nur dazu, hier {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>heights must be numbers between blanks, mm, got {}</source>
+        <translation>Höhen müssen Zahlen zwischen Leerzeichen sein, mm, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5132,8 +5177,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
-        <source>one solid of {} must be chosen as the envelope: {}</source>
-        <translation>ein Volumenkörper von {} muss als Hüllkörper gewählt werden: {}</translation>
+        <source>one solid of {} must be chosen as the envelope: {}; a compound is taken apart by Part &gt; Compound &gt; Explode compound</source>
+        <translation>ein Volumenkörper von {} muss als Hüllkörper gewählt werden: {}; ein Verbund wird im Arbeitsbereich Part zerlegt (Verbund auflösen)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -5647,9 +5692,24 @@
         <translation>Stäbe werden nach einem von {} gefärbt, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>rods are designed in a solid or a closed mesh, got {}, which has neither: select a body, or nothing for a new prism</source>
+        <translation>Stäbe werden in einem Volumenkörper oder einem geschlossenen Netz entworfen, hier {}, das keines von beiden hat: einen Körper auswählen, oder nichts für ein neues Prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>rods begin on faces with sites, got none: press Pick faces and click them in the view</source>
+        <translation>Stäbe beginnen auf Flächen mit Stellen, hier keine: Flächen wählen drücken und sie in der Ansicht anklicken</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <source>rods cut from the STEP scaffold</source>
         <translation>aus dem STEP-Gerüst geschnittene Stäbe</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>rods join a pair of faces, got no pair: add one in the section Couplings</source>
+        <translation>Stäbe verbinden ein Paar von Flächen, hier kein Paar: eines im Abschnitt Kopplungen hinzufügen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -5813,6 +5873,11 @@
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>seeds must lie in 0..{}, got {} to {}</source>
         <translation>Startwerte müssen in 0..{} liegen, hier {} bis {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>shapes of layers must take at most {} of memory; fewer layers take less, got {}</source>
+        <translation>Formen von Schichten dürfen höchstens {} Speicher brauchen; weniger Schichten brauchen weniger, hier {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -6179,6 +6244,11 @@
         <translation>Zeichen</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>table {} must have {} lines and {} layers along Z, got {} and {}</source>
+        <translation>Tabelle {} muss {} Zeilen und {} Schichten entlang Z haben, hier {} und {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
         <source>table {} must have {} x {} cells for these targets, got {}: its tables were given for another sample or voxel size</source>
         <translation>Tabelle {} muss für diese Zielwerte {} x {} Zellen haben, hier {}: ihre Tabellen wurden für eine andere Probe oder Voxelgröße gegeben</translation>
@@ -6378,6 +6448,11 @@
         <translation>der Entwurf</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>the design {} must be open to be made again, got none: it was closed</source>
+        <translation>der Entwurf {} muss offen sein, um noch einmal gemacht zu werden, hier keiner: er wurde geschlossen</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the direction must be one of {}, got {}</source>
@@ -6402,6 +6477,11 @@
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
         <translation>das Dokument muss den Körper {} enthalten, hier keiner in {}: zuerst das Dokument mit ihm öffnen oder einem eigenen diesen Namen geben</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/document_work.py"/>
+        <source>the document was closed</source>
+        <translation>das Dokument wurde geschlossen</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
@@ -6437,6 +6517,11 @@
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>the envelope must be at least two cells thick; it measures {} mm, a cell {} mm</source>
         <translation>der Hüllkörper muss mindestens zwei Zellen dick sein; er misst {} mm, eine Zelle {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
+        <source>the envelope must be checked before rods are built: wait a moment</source>
+        <translation>der Hüllkörper muss geprüft sein, bevor Stäbe gebaut werden: einen Augenblick warten</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -6549,6 +6634,11 @@
         <translation>die größte Stabzahl einer Kopplung muss 0 (alle) oder mehr sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>the images need a new folder, but {} is there already</source>
+        <translation>die Bilder brauchen einen neuen Ordner, aber {} ist schon da</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>the images of {} must be of one kind, got {}</source>
         <translation>die Bilder von {} müssen von einer Art sein, hier {}</translation>
@@ -6609,6 +6699,16 @@
         <translation>die Art muss eine von npy, nrrd, vti, png, bmp, tiff sein, hier {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the largest size of an envelope must be at most {} times its least, got {} and {} mm</source>
+        <translation>die größte Abmessung eines Hüllkörpers darf höchstens das {}-fache der kleinsten sein, hier {} und {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>the last layer must not lie below the first, got {} to {}</source>
+        <translation>die letzte Schicht darf nicht unter der ersten liegen, hier {} bis {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the layers along X, Y and Z must ask for the same total, got {}, {} and {} voxels: X - Z = {}, Y - Z = {}</source>
         <translation>die Schichten entlang X, Y und Z müssen dieselbe Summe verlangen, hier {}, {} und {} Voxel: X - Z = {}, Y - Z = {}</translation>
@@ -6617,6 +6717,11 @@
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the layers contradict each other; count {}</source>
         <translation>die Schichten widersprechen einander; zu zählen ist {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>the layers were not to be made</source>
+        <translation>die Schichten sollten nicht gemacht werden</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -7069,6 +7174,11 @@
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>the window must not wait</source>
         <translation>das Fenster darf nicht warten</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>the work could not be handed over in {}: {}</source>
+        <translation>die Arbeit konnte in {} nicht übergeben werden: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -8064,6 +8174,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
         <source>{} could not be written: {}</source>
         <translation>{} konnte nicht geschrieben werden: {}</translation>
     </message>
@@ -10664,8 +10775,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
-        <source>Select the solid to be filled. A click here brings one in from a file; without one a box is filled.</source>
-        <translation>Den Volumenkörper auswählen, der gefüllt wird. Ein Klick hier holt einen aus einer Datei; ohne wird ein Quader gefüllt.</translation>
+        <source>Select the solid or the closed mesh to be filled. A click here brings one in from a file; without one a box is filled.</source>
+        <translation>Den Volumenkörper oder das geschlossene Netz auswählen, das gefüllt wird. Ein Klick hier holt eines aus einer Datei; ohne wird ein Quader gefüllt.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>

@@ -2349,6 +2349,16 @@
         <translation>un file PLY deve cominciare con la sua intestazione</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/install.py"/>
+        <source>a Python {} with pip must be there to install manifold3d, and none was found</source>
+        <translation>per installare manifold3d deve esserci un Python {} con pip, e non se ne è trovato nessuno</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_panel.py"/>
+        <source>a body to be sliced must be chosen, got none: choose an object or a file</source>
+        <translation>si deve scegliere un corpo da sezionare, qui nessuno: scegliere un oggetto o un file</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/analysis/voxelise.py"/>
         <location filename="../../freecad_trabecula/core/field.py"/>
         <location filename="../../freecad_trabecula/core/rays.py"/>
@@ -2412,8 +2422,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/couplings.py"/>
-        <source>a coupled face must have at least 1 site, got 0 on face {}</source>
-        <translation>una faccia accoppiata deve avere almeno 1 sito, qui 0 sulla faccia {}</translation>
+        <source>a coupled face must have at least 1 site, got 0 on face {}: less spacing or border</source>
+        <translation>una faccia accoppiata deve avere almeno 1 sito, qui 0 sulla faccia {}: ridurre distanze o bordi</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/job.py"/>
@@ -2489,6 +2499,11 @@
         <location filename="../../freecad_trabecula/core/voxels/variants.py"/>
         <source>a design must have solid voxels, got 0</source>
         <translation>un progetto deve avere voxel pieni, qui 0</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/export_dialog.py"/>
+        <source>a design needs a network or a scaffold to be exported, got none: build one first</source>
+        <translation>per essere esportato un progetto richiede una rete o uno scaffold, qui nessuno: prima costruirne uno</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/report_sections.py"/>
@@ -2756,6 +2771,11 @@
         <translation>una mesh da voxelizzare deve avere almeno un triangolo, qui 0</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/preview_worker.py"/>
+        <source>a newer preview is wanted</source>
+        <translation>si vuole un'anteprima più recente</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/records.py"/>
         <source>a number</source>
         <translation>un numero</translation>
@@ -2897,8 +2917,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
-        <source>a sample's mesh must be closed; its open area is, got {}</source>
-        <translation>la mesh di un campione deve essere chiusa; la sua area aperta è, qui {}</translation>
+        <source>a sample's mesh must be closed, got an open area of {} mm²: mend it first (Mesh &gt; Analyze &gt; Evaluate and repair)</source>
+        <translation>la mesh di un campione deve essere chiusa, qui un'area aperta di {} mm²: prima ripararla (ambiente Mesh: valuta e ripara)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/sources.py"/>
@@ -3056,6 +3076,11 @@
         <translation>una variante deve avere aste, qui nessuna col seme {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_panel.py"/>
+        <source>a voxel design needs a sample, got none: choose an object or a file, or draw it</source>
+        <translation>un progetto a voxel richiede un campione, qui nessuno: scegliere un oggetto o un file, o disegnarlo</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>a voxel must have three edges above 0, got {}</source>
         <translation>un voxel deve avere tre lati maggiori di 0, qui {}</translation>
@@ -3166,6 +3191,11 @@
         <translation>lungo {} {} sezioni su {} sono guaste: strati {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/propagation_dialog.py"/>
+        <source>alpha and beta must be whole numbers with blanks between, got {}</source>
+        <translation>alfa e beta devono essere numeri interi separati da spazi, qui {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/table_files.py"/>
         <source>alpha and beta must have the same counts in the layers along Z, got {}</source>
         <translation>alpha e beta devono avere gli stessi conteggi negli strati lungo Z, qui {}</translation>
@@ -3214,6 +3244,11 @@
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
         <source>an envelope must be a valid solid; the kernel finds: {}</source>
         <translation>un involucro deve essere un solido valido; il nucleo trova: {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>an envelope must be at most {} mm large, got {} mm</source>
+        <translation>un involucro può essere grande al massimo {} mm, qui {} mm</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -3580,6 +3615,11 @@
         <location filename="../../freecad_trabecula/core/bodies.py"/>
         <source>channels by triangles and by rays, mm3</source>
         <translation>canali per triangoli e per raggi, mm3</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>channels can be shown once a scaffold is built, got none: build the scaffold first</source>
+        <translation>i canali si possono mostrare quando c'è uno scaffold, qui nessuno: prima costruire lo scaffold</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -4343,6 +4383,11 @@
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
         <source>heights must be given with at='heights', and only then, got {}</source>
         <translation>le quote vanno date con at='heights', e solo allora, qui {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/analysis_form.py"/>
+        <source>heights must be numbers between blanks, mm, got {}</source>
+        <translation>le altezze devono essere numeri tra spazi, mm, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/parameters.py"/>
@@ -5132,8 +5177,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
-        <source>one solid of {} must be chosen as the envelope: {}</source>
-        <translation>un solido di {} deve essere scelto come involucro: {}</translation>
+        <source>one solid of {} must be chosen as the envelope: {}; a compound is taken apart by Part &gt; Compound &gt; Explode compound</source>
+        <translation>un solido di {} deve essere scelto come involucro: {}; un composto si scompone nell'ambiente Part (Esplodi composto)</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/booleans.py"/>
@@ -5647,9 +5692,24 @@
         <translation>le aste si colorano secondo uno di {}, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/rod_commands.py"/>
+        <source>rods are designed in a solid or a closed mesh, got {}, which has neither: select a body, or nothing for a new prism</source>
+        <translation>le aste si progettano in un solido o in una mesh chiusa, qui {}, che non ha né l'uno né l'altra: selezionare un corpo, o niente per un nuovo prisma</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>rods begin on faces with sites, got none: press Pick faces and click them in the view</source>
+        <translation>le aste partono da facce con siti, qui nessuna: premere il tasto che sceglie le facce e cliccarle nella vista</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/explanations/design_numbers.py"/>
         <source>rods cut from the STEP scaffold</source>
         <translation>aste tagliate dallo scaffold STEP</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_form.py"/>
+        <source>rods join a pair of faces, got no pair: add one in the section Couplings</source>
+        <translation>le aste uniscono una coppia di facce, qui nessuna coppia: aggiungerne una nella sezione Accoppiamenti</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/features/variants.py"/>
@@ -5813,6 +5873,11 @@
         <location filename="../../freecad_trabecula/core/variants.py"/>
         <source>seeds must lie in 0..{}, got {} to {}</source>
         <translation>i semi devono stare in 0..{}, qui da {} a {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>shapes of layers must take at most {} of memory; fewer layers take less, got {}</source>
+        <translation>le forme degli strati possono richiedere al massimo {} di memoria; meno strati ne richiedono meno, qui {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/analysis/passport.py"/>
@@ -6179,6 +6244,11 @@
         <translation>simbolo</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/table_dialog.py"/>
+        <source>table {} must have {} lines and {} layers along Z, got {} and {}</source>
+        <translation>la tabella {} deve avere {} righe e {} strati lungo Z, qui {} e {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/features/voxel_inputs.py"/>
         <source>table {} must have {} x {} cells for these targets, got {}: its tables were given for another sample or voxel size</source>
         <translation>la tabella {} deve avere {} x {} celle per questi obiettivi, qui {}: le sue tabelle sono state date per un altro campione o lato dei voxel</translation>
@@ -6378,6 +6448,11 @@
         <translation>il progetto</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/variants_dialog.py"/>
+        <source>the design {} must be open to be made again, got none: it was closed</source>
+        <translation>il progetto {} deve essere aperto per essere rifatto, qui nessuno: è stato chiuso</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/layer_fill.py"/>
         <location filename="../../freecad_trabecula/core/voxels/propagation_steps.py"/>
         <source>the direction must be one of {}, got {}</source>
@@ -6402,6 +6477,11 @@
         <location filename="../../freecad_trabecula/features/scripts.py"/>
         <source>the document must have the body {}, got none in {}: open the document with it first, or give one of yours this name</source>
         <translation>il documento deve avere il corpo {}, qui nessuno in {}: aprire prima il documento che lo contiene, o dare questo nome a uno proprio</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/document_work.py"/>
+        <source>the document was closed</source>
+        <translation>il documento è stato chiuso</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/voxels/drawn_curves.py"/>
@@ -6437,6 +6517,11 @@
         <location filename="../../freecad_trabecula/core/nodes.py"/>
         <source>the envelope must be at least two cells thick; it measures {} mm, a cell {} mm</source>
         <translation>l'involucro deve essere spesso almeno due celle; misura {} mm, una cella {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/design_envelope.py"/>
+        <source>the envelope must be checked before rods are built: wait a moment</source>
+        <translation>l'involucro deve essere verificato prima che si costruiscano aste: attendere un momento</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/bodies.py"/>
@@ -6549,6 +6634,11 @@
         <translation>il massimo numero di aste di un accoppiamento deve essere 0 (tutte) o più, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
+        <source>the images need a new folder, but {} is there already</source>
+        <translation>le immagini richiedono una nuova cartella, ma {} c'è già</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/image_stacks.py"/>
         <source>the images of {} must be of one kind, got {}</source>
         <translation>le immagini di {} devono essere di un solo tipo, qui {}</translation>
@@ -6609,6 +6699,16 @@
         <translation>il tipo deve essere uno di npy, nrrd, vti, png, bmp, tiff, qui {}</translation>
     </message>
     <message>
+        <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
+        <source>the largest size of an envelope must be at most {} times its least, got {} and {} mm</source>
+        <translation>la dimensione maggiore di un involucro può essere al massimo {} volte la minore, qui {} e {} mm</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>the last layer must not lie below the first, got {} to {}</source>
+        <translation>l'ultimo strato non può stare sotto il primo, qui da {} a {}</translation>
+    </message>
+    <message>
         <location filename="../../freecad_trabecula/core/voxels/targets.py"/>
         <source>the layers along X, Y and Z must ask for the same total, got {}, {} and {} voxels: X - Z = {}, Y - Z = {}</source>
         <translation>gli strati lungo X, Y e Z devono chiedere lo stesso totale, qui {}, {} e {} voxel: X - Z = {}, Y - Z = {}</translation>
@@ -6617,6 +6717,11 @@
         <location filename="../../freecad_trabecula/core/voxels/exact_search.py"/>
         <source>the layers contradict each other; count {}</source>
         <translation>gli strati si contraddicono; contando {}</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/layer_dialog.py"/>
+        <source>the layers were not to be made</source>
+        <translation>gli strati non erano da fare</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/core/parameters.py"/>
@@ -7069,6 +7174,11 @@
         <location filename="../../freecad_trabecula/features/on_demand.py"/>
         <source>the window must not wait</source>
         <translation>la finestra non deve aspettare</translation>
+    </message>
+    <message>
+        <location filename="../../freecad_trabecula/gui/child_work.py"/>
+        <source>the work could not be handed over in {}: {}</source>
+        <translation>il lavoro non si è potuto consegnare in {}: {}</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/geometry/envelopes.py"/>
@@ -8064,6 +8174,7 @@
     <message>
         <location filename="../../freecad_trabecula/core/stl.py"/>
         <location filename="../../freecad_trabecula/geometry/files.py"/>
+        <location filename="../../freecad_trabecula/gui/voxel_export.py"/>
         <source>{} could not be written: {}</source>
         <translation>{} non si è potuto scrivere: {}</translation>
     </message>
@@ -10664,8 +10775,8 @@
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/doors.py"/>
-        <source>Select the solid to be filled. A click here brings one in from a file; without one a box is filled.</source>
-        <translation>Selezionare il solido da riempire. Un clic qui ne porta uno da un file; senza, si riempie un parallelepipedo.</translation>
+        <source>Select the solid or the closed mesh to be filled. A click here brings one in from a file; without one a box is filled.</source>
+        <translation>Selezionare il solido o la mesh chiusa da riempire. Un clic qui ne porta uno da un file; senza, si riempie un parallelepipedo.</translation>
     </message>
     <message>
         <location filename="../../freecad_trabecula/gui/site_panel.py"/>
