@@ -46,9 +46,6 @@ PIECES = (
       for planes in (30, 300)),
     ("comparison and plots, 2 x 25,309 contours", "comparison", (BONE, 100)),
     ("comparison and plots, 2 x 75,050 contours", "comparison", (BONE, 300)),
-)  # fmt: skip
-UNDER_FREECAD = ("design", "seeds")
-SEEDS = (
     ("case 6: rods, solids, scaffold", "design", ("case6",)),
     ("case 1: rods, solids, scaffold", "design", ("case1",)),
     ("femur: rods, solids, scaffold", "design", ("femur",)),
@@ -56,7 +53,8 @@ SEEDS = (
     ("5 other seeds with scaffolds, case 6", "seeds", ("case6", 5, "scaffold")),
     ("3 other seeds by rays, femur", "seeds", ("femur", 3, "rays")),
     ("3 other seeds of voxels, 104 x 94 x 104", "seeds", (BONE, 3, 0.1)),
-)
+)  # fmt: skip
+UNDER_FREECAD = ("design", "seeds")
 
 
 class Bone:
@@ -308,7 +306,7 @@ def _with_others(lines):
     page = (generated_page.DOCS / "seeing.md").read_text(encoding="utf-8")
     before = page.split("<!-- estimates: begin -->")[1].split("<!-- estimates: end -->")[0].strip().splitlines()
     found = {line.split(" | ")[0][2:]: line for line in [*before[2:], *lines[2:]]}
-    return "\n".join([*lines[:2], *(found[name] for name, *_ in [*PIECES, *SEEDS] if name in found)])
+    return "\n".join([*lines[:2], *(found[name] for name, *_ in PIECES if name in found)])
 
 
 def _all():
@@ -317,7 +315,7 @@ def _all():
     parser.add_argument("--only", default="", help="a part of the names of works")
     chosen = parser.parse_args()
     rows = []
-    for name, piece, options in [*PIECES, *SEEDS]:
+    for name, piece, options in PIECES:
         if chosen.only in name:
             rows.append((name, run(piece, options)))
             print(table(rows[-1:]).splitlines()[-1], flush=True)

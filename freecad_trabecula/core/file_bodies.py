@@ -135,9 +135,8 @@ def _look_at_obj(path: Path) -> Sample:
 
     def corners(line: bytes, start: int) -> List[int]:
         numbers = [int(word.split(b"/")[0]) for word in line.split(b"#")[0].split()[1:]]
-        seen = (
-            int(np.searchsorted(vertices, start)) if min(numbers) < 0 else 0
-        )  # counted backwards from where it stands
+        # numbers below 0 count backwards from where the face stands
+        seen = int(np.searchsorted(vertices, start)) if min(numbers) < 0 else 0
         return [number - 1 if number > 0 else seen + number for number in numbers]
 
     return _look_at_lines(_Lines(text, vertices, faces, lambda line: [float(w) for w in line.split()[1:4]], corners))

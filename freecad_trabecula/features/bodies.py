@@ -25,9 +25,14 @@ def has_solid(obj: Any) -> bool:
     return kind in _SOLID or kind == "Compound" and bool(type_of(obj) or obj.Shape.Solids)
 
 
+def is_solid(obj: Any) -> bool:
+    """Return whether an object that is not ours has a solid of its own."""
+    return not type_of(obj) and has_solid(obj)
+
+
 def is_body(obj: Any) -> bool:
     """Return whether an object that is not ours is a mesh or a solid."""
-    return not type_of(obj) and (is_mesh(obj) or has_solid(obj))
+    return is_solid(obj) or (not type_of(obj) and is_mesh(obj))
 
 
 def whole(obj: Any) -> Any:

@@ -87,7 +87,7 @@ def colouring_work(obj: Any, by: str) -> Callable[[], Colouring]:
         return partial(_of_rods, *_network_rods(obj), by)
     if is_a(obj, Wireframe):
         return partial(_of_rods, _shown(obj), np.repeat(np.arange(len(_shown(obj))), 2), by)  # a path has two pieces
-    return _layers_work(obj, by)
+    return _triangles_work(obj, by)
 
 
 def axis_of(by: str) -> int:
@@ -115,7 +115,7 @@ def layers_work(obj: Any, by: str) -> Callable[[], Colouring]:
     ParameterError
         If there is no design yet.
     """
-    layers = partial(_voxel_layers, voxel_design_of(obj), by.split()[0], axis_of(by))
+    layers = _layers_of_voxels(obj, by)
     return lambda: by_value(layers()[1], by, _unit(by))
 
 
@@ -158,11 +158,12 @@ def _network_rods(obj: Any) -> Tuple[CoreWireframe, np.ndarray]:
 # ---------------------------------------------------------------------------------------------------------- layers
 
 
-def _layers_work(obj: Any, by: str) -> Callable[[], Colouring]:
+def _triangles_work(obj: Any, by: str) -> Callable[[], Colouring]:
+    """What is left to compute for the colours of a mesh's triangles by their layers."""
     place = axis_of(by)
     is_voxels = is_a(obj, VoxelDesign)
     if is_voxels:
-        layers = partial(_voxel_layers, voxel_design_of(obj), by.split()[0], place)
+        layers = _layers_of_voxels(obj, by)
     else:
         found = _analysed_slices(obj, AXES[place])
         layers = lambda: found  # noqa: E731  at hand already
@@ -182,6 +183,10 @@ def _of_layers(mesh: CoreMesh, layers: Callable[[], Tuple[np.ndarray, np.ndarray
     middles = corners[:, :, place].mean(1) - _INWARDS * (edges[1] - edges[0]) * normals
     numbers = np.clip(np.searchsorted(edges, middles, "right") - 1, 0, len(values) - 1)
     return by_value(values, by, _unit(by)).of(numbers)
+
+
+def _layers_of_voxels(obj: Any, by: str) -> Callable[[], Tuple[np.ndarray, np.ndarray]]:
+    return partial(_voxel_layers, voxel_design_of(obj), by.split()[0], axis_of(by))
 
 
 def _voxel_layers(design: CoreVoxels, quantity: str, place: int) -> Tuple[np.ndarray, np.ndarray]:

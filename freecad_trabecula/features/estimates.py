@@ -70,10 +70,11 @@ def work_of(objects: Sequence[Any]) -> Work:
     if is_a(first, VoxelDesign):
         return voxel_work(estimate_voxel_design(sample_of(first), read_parameters(first, VoxelParameters)))
     parts = [] if first.ResultKey == first.Proxy.key(first) else [design_work(first.Rods, len(first.Recoveries))]
-    rods = _rods_of(first) if len(objects) > 1 else None
+    bodies = objects[1:]
+    rods = _rods_of(first) if bodies else None
     if rods is not None:
-        parts += [_network(rods) for obj in objects[1:] if is_a(obj, Network)]
-        parts += [_scaffold(rods, read_parameters(obj, ScaffoldParameters)) for obj in objects if is_a(obj, Scaffold)]
+        parts += [_network(rods) for obj in bodies if is_a(obj, Network)]
+        parts += [_scaffold(rods, read_parameters(obj, ScaffoldParameters)) for obj in bodies if is_a(obj, Scaffold)]
     return reduce(Work.and_then, parts, Work(0.0))
 
 

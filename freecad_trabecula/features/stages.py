@@ -76,7 +76,7 @@ def stages_of(document: Any, chosen: Sequence[Any] = ()) -> Stages:
     def of(kind: str) -> List[Any]:
         return [obj for obj, its in zip(objects, kinds) if its == kind]
 
-    bodies = [obj for obj, its in zip(objects, kinds) if not its and is_body(obj)]
+    bodies = [obj for obj in objects if is_body(obj)]
     wireframe = _last(of(WIREFRAME), [wireframe_of(obj) for obj in chosen if type_of(obj)])
     voxels, analyses = _last(of(VOXELS), chosen), of(ANALYSIS)
     products = sorted(products_of(wireframe), key=_worth) if wireframe is not None else []

@@ -8,9 +8,8 @@ from typing import Any, Callable, Optional, Tuple
 import FreeCAD
 import FreeCADGui
 
-from ..features.bodies import has_solid, whole
+from ..features.bodies import whole
 from ..features.containers import frame_of
-from ..features.relations import type_of
 
 translate = FreeCAD.Qt.translate
 #: ``picked(face, point)``: FreeCAD's name of the face, and the place of the click (mm).
@@ -69,8 +68,3 @@ class FacePicker:
         if whole(envelope.Document.getObject(obj)) is envelope:
             here = frame_of(envelope).inverse().multVec(FreeCAD.Vector(*point))
             self._picked(face, tuple(here))
-
-
-def is_solid(obj: Any) -> bool:
-    """Return whether an object could be an envelope: a cheap look, no check of its shape."""
-    return not type_of(obj) and has_solid(obj)

@@ -11,14 +11,13 @@ from PySide import QtGui
 
 from ..core.presets import PRESETS, preset
 from ..errors import ParameterError
-from ..features.bodies import is_body, whole
+from ..features.bodies import is_body, is_solid, whole
 from ..features.jobs import write_job
 from ..features.relations import parts_of, type_of, wireframe_of
 from . import panels
 from .command import Command, PanelCommand, active_document, in_document, selected_objects
 from .design_form import preset_text
 from .export_dialog import exists, export_design
-from .picking import is_solid
 from .preferences import folder_for
 from .results_panel import open_results
 from .rod_dock import toggle_dock

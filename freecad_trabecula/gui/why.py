@@ -72,9 +72,8 @@ class WhyPopup(QtGui.QLabel):
         self.setOpenExternalLinks(True)
         self.setWordWrap(True)
         self.setMargin(10)
-        paper, ink = (
-            colour.name() for colour in paper_and_ink()
-        )  # a dark theme's letters are light, a label's ground none
+        # a dark theme's letters are light, and a label has no ground of its own
+        paper, ink = (colour.name() for colour in paper_and_ink())
         self.setStyleSheet(f"QLabel {{ background: {paper}; color: {ink}; border: 1px solid {ink}; }}")
         self.setFixedWidth(WIDTH)
         self.setFixedHeight(self.heightForWidth(WIDTH))

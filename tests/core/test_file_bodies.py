@@ -65,7 +65,8 @@ def test_all_is_known_of_a_small_file(name, tmp_path, sponge, monkeypatch):
     WRITERS[name](tmp_path / name, sponge)
     found, all_of_it = body_of_file(tmp_path / name), estimates.body_of(sponge.vertices[sponge.triangles])
     assert found.triangles == all_of_it.triangles
-    assert found[2:] == pytest.approx(all_of_it[2:], rel=1e-4)
+    digits = 1e-6 if name.startswith("binary") else 1e-4
+    assert found[2:] == pytest.approx(all_of_it[2:], rel=digits)
     assert found.box == pytest.approx(all_of_it.box, abs=1e-5)
     assert list(estimates.planes_of(SliceParameters(thickness=0.1), found.box)) == ["x", "y", "z"]
 
@@ -81,7 +82,7 @@ def test_a_sample_of_a_large_file_tells_nearly_as_much(name, tmp_path, sponge, m
     found, all_of_it = body_of_file(tmp_path / name), estimates.body_of(sponge.vertices[sponge.triangles])
     assert found.triangles == pytest.approx(count, rel=0.03 if name == "text.stl" else 0)
     assert found.surface == pytest.approx(all_of_it.surface, rel=0.05)
-    assert found.thickness == pytest.approx(all_of_it.thickness, rel=0.4)
+    assert found.thickness == pytest.approx(all_of_it.thickness, rel=0.3)
     assert np.abs(found.box - all_of_it.box).max() < 0.3
 
 

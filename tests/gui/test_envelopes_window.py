@@ -11,8 +11,9 @@ from window import WindowTest, settle, wait
 
 from freecad_trabecula.core.presets import preset
 from freecad_trabecula.errors import EnvelopeError
+from freecad_trabecula.features.bodies import is_solid
 from freecad_trabecula.gui import panels
-from freecad_trabecula.gui.picking import FaceGate, is_solid
+from freecad_trabecula.gui.picking import FaceGate
 
 
 class EnvelopeTest(WindowTest):
@@ -140,14 +141,10 @@ class EnvelopeTest(WindowTest):
         self.assertEqual(self.names(), [])
 
     def pad(self):
-        """A PartDesign body of one pad of 10 x 8 x 6 mm, 20 mm along X."""
+        """A PartDesign body of one step of 10 x 8 x 6 mm, 20 mm along X."""
         body = self.document.addObject("PartDesign::Body", "Design")
-        sketch = body.newObject("Sketcher::SketchObject", "Sketch")
-        corners = [FreeCAD.Vector(*point) for point in ((0, 0, 0), (10, 0, 0), (10, 8, 0), (0, 8, 0))]
-        for first, second in zip(corners, [*corners[1:], corners[0]]):
-            sketch.addGeometry(Part.LineSegment(first, second))
-        pad = body.newObject("PartDesign::Pad", "Pad")
-        pad.Profile, pad.Length = sketch, 6
+        step = body.newObject("PartDesign::AdditiveBox", "Pad")
+        step.Length, step.Width, step.Height = 10, 8, 6
         body.Placement.Base.x = 20
         self.document.recompute()
         return body

@@ -65,6 +65,15 @@ class VoxelCase(WindowTest):
     def designs(self):
         return [obj for obj in self.document.Objects if type_of(obj) == KIND]
 
+    def reopen(self):
+        """Save the document, close it, forget all results and open the file."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            results.clear()
+            self.document = FreeCAD.openDocument(path)
+
     def open_panel(self, obj=None):
         FreeCADGui.Selection.clearSelection()
         if obj is not None:
@@ -351,17 +360,12 @@ class MergedBlocksTest(VoxelCase):
         images["Shaded"] = _picture(view)
         obj.ViewObject.DisplayMode = MODE
         self.colour(obj, "porosity along z")
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "coloured.FCStd")
-            self.document.saveAs(path)
-            FreeCAD.closeDocument(self.document.Name)
-            results.clear()
-            self.document = FreeCAD.openDocument(path)
-            (again,) = self.designs()
-            self.assertTrue(wait(lambda: colouring.legends_of(self.document.Name), 60))
-            settle(1.0)
-            self.assertEqual(again.ViewObject.DisplayMode, MODE)
-            images["opened"] = _picture(FreeCADGui.activeDocument().activeView())
+        self.reopen()
+        (again,) = self.designs()
+        self.assertTrue(wait(lambda: colouring.legends_of(self.document.Name), 60))
+        settle(1.0)
+        self.assertEqual(again.ViewObject.DisplayMode, MODE)
+        images["opened"] = _picture(FreeCADGui.activeDocument().activeView())
         for name in ("Shaded", "opened"):
             self.assertLess(np.abs(images[MODE] - images[name]).mean(), 6, name)
         hues = images[MODE].max(2) - images[MODE].min(2)
@@ -423,17 +427,12 @@ class DockTest(VoxelCase):
         self.assertAlmostEqual(node[0].getValue()[2], 3.75, 5)
 
     def test_the_sample_of_an_opened_file_is_worked_out_elsewhere(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "saved.FCStd")
-            self.document.saveAs(path)
-            FreeCAD.closeDocument(self.document.Name)
-            results.clear()
-            self.document = FreeCAD.openDocument(path)
-            settle(0.5)
-            self.dock.show_objects()
-            self.assertIsNotNone(self.dock.design.image)
-            self.assertIn("being worked out", self.dock.sample.words)
-            self.assertTrue(wait(lambda: self.dock.sample.image is not None, 120))
+        self.reopen()
+        settle(0.5)
+        self.dock.show_objects()
+        self.assertIsNotNone(self.dock.design.image)
+        self.assertIn("being worked out", self.dock.sample.words)
+        self.assertTrue(wait(lambda: self.dock.sample.image is not None, 120))
 
     def test_a_million_voxels_are_turned_over_without_waiting(self):
         with tempfile.TemporaryDirectory() as folder:
