@@ -87,21 +87,26 @@ def versions(out):
     return sorted(found, key=lambda path: [int(part) for part in path.name.split(".")])
 
 
+def worst(folder):
+    """Return the rows of a FreeCAD by their steps, in the order of the works; of a step that several take the worst."""
+    found = {}
+    for path in (folder / (work + ".json") for work in WORKS):
+        for row in json.loads(path.read_text(encoding="utf-8")) if path.exists() else []:
+            found[row["step"]] = max(row, found.get(row["step"], row), key=lambda one: one["busy"])
+    return found
+
+
 def table(folders):
     """Return the table of docs/seeing.md: a row for each step, two columns for each FreeCAD; bold above the goal."""
     lines = ["| work | %s |" % " | ".join("FreeCAD %s: busy, s | by the clock" % folder.name for folder in folders)]
     lines.append("|---|" + "---|---|" * len(folders))
-    for work in WORKS:
-        found = [folder / (work + ".json") for folder in folders]
-        rows = [json.loads(path.read_text(encoding="utf-8")) if path.exists() else [] for path in found]
-        for number in range(max(map(len, rows))):
-            steps = [one[number] if number < len(one) else None for one in rows]
-            cells = [next(step["step"] for step in steps if step is not None)]
-            for step in steps:
-                busy = "" if step is None else "%.2f" % step["busy"]
-                cells.append("**%s**" % busy if step is not None and step["busy"] > GOAL else busy)
-                cells.append("" if step is None else "%.2f" % step["wall"])
-            lines.append("| %s |" % " | ".join(cells))
+    found = [worst(folder) for folder in folders]
+    for step in dict.fromkeys(step for rows in found for step in rows):
+        cells = [step]
+        for row in (rows.get(step) for rows in found):
+            busy, wall = ("%.2f" % row["busy"], "%.2f" % row["wall"]) if row else ("", "")
+            cells += ["**%s**" % busy if row and row["busy"] > GOAL else busy, wall]
+        lines.append("| %s |" % " | ".join(cells))
     return "\n".join(lines)
 
 
